@@ -37,11 +37,11 @@ pub(crate) async fn stop(workspace: Shared<'_>) -> Result<(), ApiErrorReport> {
     blocking(move || workspace.stop()).await.map_err(|error| failed(&error))
 }
 
-/// The stencil of the open design, as bytes.
+/// The surface of a stencil of the open design, as bytes.
 #[tauri::command]
-pub(crate) async fn stencil_mesh(workspace: Shared<'_>) -> Result<Response, ApiErrorReport> {
+pub(crate) async fn stencil_mesh(workspace: Shared<'_>, stencil: u32) -> Result<Response, ApiErrorReport> {
     let workspace = Arc::clone(&workspace);
-    let bytes = blocking(move || workspace.stencil_mesh()).await.map_err(|error| failed(&error))?;
+    let bytes = blocking(move || workspace.stencil_mesh(stencil)).await.map_err(|error| failed(&error))?;
     Ok(Response::new(bytes))
 }
 

@@ -2,10 +2,12 @@
 
 use std::num::NonZeroU32;
 
+use wirebend_core::mesh::Placement;
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{ChordLimits, Delta, EdgeId, VertexId};
 use wirebend_files::document::{
-    Document, DocumentChange, PausePoint, ProfileSnapshot, Walk, WireCount, pause_note,
+    Document, DocumentChange, PausePoint, PlacedStencil, ProfileSnapshot, StencilId, Walk, WireCount,
+    pause_note,
 };
 
 use super::{ChosenWalk, EditRequest};
@@ -67,7 +69,24 @@ pub(super) fn change(
         }
         EditRequest::Notes { text } => document.set_notes(text.clone()),
         EditRequest::Units { units } => document.set_units(*units),
-        EditRequest::RemoveStencil {} => document.set_stencil(None),
+        EditRequest::RemoveStencil { stencil } => {
+            let gone = document.without_stencil(StencilId(*stencil));
+            Some(gone.ok_or(EditorError::NoStencil(*stencil))?)
+        }
+        EditRequest::PlaceStencil { stencil, placement } => {
+            let placement = Placement::try_from(*placement)?;
+            document.set_stencils(stencils_with(document, *stencil, |stencil| stencil.placement = placement)?)
+        }
+        EditRequest::StencilLook { stencil, look } => {
+            let look = look.clone().with_tidy_name();
+            document.set_stencils(stencils_with(document, *stencil, |stencil| stencil.look = look)?)
+        }
+        EditRequest::PartLook { edge, look } => {
+            if document.wireframe.edge(EdgeId(*edge)).is_none() {
+                return Err(EditorError::NoPart(*edge));
+            }
+            document.set_part_look(EdgeId(*edge), look.clone().with_tidy_name())
+        }
         EditRequest::Several { edits, .. } => Some(several(document, app, edits)?),
         _ => None,
     })
@@ -126,6 +145,18 @@ fn pauses_with(
     Ok(pauses)
 }
 
+/// The stencils with one of them changed.
+fn stencils_with(
+    document: &Document,
+    stencil: u32,
+    change: impl FnOnce(&mut PlacedStencil),
+) -> Result<Vec<PlacedStencil>, EditorError> {
+    let mut stencils = document.stencils.clone();
+    let found = stencils.iter_mut().find(|known| known.id == StencilId(stencil));
+    change(found.ok_or(EditorError::NoStencil(stencil))?);
+    Ok(stencils)
+}
+
 fn both(one: Option<DocumentChange>, other: Option<DocumentChange>) -> Option<DocumentChange> {
     one.into_iter().chain(other).reduce(DocumentChange::and)
 }
@@ -150,7 +181,9 @@ fn several(
         }
     }
     let parts = [
-        document.set_stencil(last.stencil),
+        document.set_stencils(last.stencils),
+        document.set_surfaces(&last.surfaces),
+        document.set_parts(last.parts),
         document.set_machine(last.machine),
         document.set_material(last.material),
         document.set_doublings(last.doublings),

@@ -1,5 +1,7 @@
 //! What the checks say of the open design, as it is or as it would be while a person drags.
 
+use std::collections::BTreeMap;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::checks::Diagnostic;
@@ -90,42 +92,9 @@ impl Editor {
         Ok((names, setup))
     }
 
-    /// The design but for the stencil, which may be large.
-    pub fn without_stencil(&self) -> Document {
-        let Document {
-            wireframe,
-            stencil: _,
-            machine,
-            material,
-            doublings,
-            start,
-            wires,
-            closed,
-            reversed,
-            walks,
-            pins,
-            pauses,
-            notes,
-            units,
-            source,
-        } = &self.document;
-        Document {
-            wireframe: wireframe.clone(),
-            stencil: None,
-            machine: machine.clone(),
-            material: material.clone(),
-            doublings: doublings.clone(),
-            start: *start,
-            wires: *wires,
-            closed: *closed,
-            reversed: *reversed,
-            walks: walks.clone(),
-            pins: pins.clone(),
-            pauses: pauses.clone(),
-            notes: notes.clone(),
-            units: *units,
-            source: source.clone(),
-        }
+    /// The design without its stencils, which are no part of what is bent.
+    pub fn without_stencils(&self) -> Document {
+        Document { stencils: Vec::new(), surfaces: BTreeMap::new(), ..self.document.clone() }
     }
 
     /// What is planned of the design, with some vertices elsewhere than they are.
@@ -138,7 +107,7 @@ impl Editor {
         Ok(document)
     }
 
-    /// What is planned of the design: the stencil is no part of what is bent.
+    /// What is planned of the design: stencils are no part of what is bent.
     pub(super) fn planned_part(&self) -> Document {
         Document {
             doublings: self.document.doublings.clone(),

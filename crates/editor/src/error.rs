@@ -3,6 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
+use wirebend_core::mesh::PlacementError;
 use wirebend_core::units::Mm;
 use wirebend_core::wireframe::EditError;
 use wirebend_error::{ErrorCode, ErrorRemedy};
@@ -42,6 +43,15 @@ pub enum EditorError {
     /// The wire is to begin where nothing is.
     #[error("there is no vertex {0} for the wire to begin at")]
     NoVertex(u32),
+    /// A stencil that is to be changed is not there.
+    #[error("there is no stencil {0} in this design")]
+    NoStencil(u32),
+    /// A part that is to be named is not there.
+    #[error("there is no edge {0}, and so no part that it belongs to")]
+    NoPart(u32),
+    /// A stencil that would lie nowhere.
+    #[error(transparent)]
+    Placement(#[from] PlacementError),
     /// The machine is to wait where nothing is.
     #[error("there is no vertex {0} for the machine to wait at")]
     NoPauseVertex(u32),
@@ -131,8 +141,10 @@ impl EditorError {
             | Self::NoWires
             | Self::PausePass
             | Self::PauseNote
+            | Self::Placement(_)
             | Self::Matrix => ErrorCode::Edit,
-            Self::NoEdge(_) => ErrorCode::NoEdge,
+            Self::NoStencil(_) => ErrorCode::NoStencil,
+            Self::NoEdge(_) | Self::NoPart(_) => ErrorCode::NoEdge,
             Self::NoVertex(_) | Self::NoPauseVertex(_) => ErrorCode::NoVertex,
             Self::Stale(_) => ErrorCode::Stale,
             Self::Document(_) => ErrorCode::Document,
@@ -161,6 +173,9 @@ impl EditorError {
             | Self::Turn(_)
             | Self::Matrix
             | Self::NoEdge(_)
+            | Self::NoStencil(_)
+            | Self::NoPart(_)
+            | Self::Placement(_)
             | Self::NoVertex(_)
             | Self::NoPauseVertex(_)
             | Self::PausePass

@@ -20,6 +20,7 @@ mod resolving;
 mod view;
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use wirebend_core::wireframe::Wireframe;
 use wirebend_error::ProblemReport;
@@ -38,7 +39,7 @@ pub use request::{
 };
 pub use view::{DesignState, DesignView, EdgeView, PauseView, VertexView, ViewChange};
 
-use wirebend_planning::design::{DesignInput, Opened};
+use wirebend_planning::design::{DesignInput, FoundStencil, Opened};
 use wirebend_planning::machine::Setup;
 use wirebend_planning::output::file_name;
 use wirebend_planning::report::NoteReport;
@@ -100,7 +101,7 @@ impl Editor {
     ) -> Result<(Self, Vec<NoteReport>), EditorError> {
         let opened = input.open(progress)?;
         opened.require_designed()?;
-        Ok(Self::begun_with(opened.with_stencil(input), input, None, keep_in))
+        Ok(Self::begun_with(opened.with_stencils(input), input, None, keep_in))
     }
 
     /// The same for a machine and a material, where the file names none, and by another name than the file's, if one is
@@ -116,7 +117,7 @@ impl Editor {
         keep_in: Option<&Path>,
         progress: &dyn Progress,
     ) -> Result<(Self, Vec<NoteReport>), EditorError> {
-        let mut opened = input.open(progress)?.with_stencil(input);
+        let mut opened = input.open(progress)?.with_stencils(input);
         if let Some((machine, material)) = machine.filter(|_| opened.document.machine.is_none()) {
             // Recorded moves are of the machine that made them.
             let recorded = opened.recorded_on().filter(|recorded| *recorded != machine).map(str::to_owned);
@@ -258,15 +259,13 @@ impl Editor {
         Ok(path)
     }
 
-    /// Puts a surface into the design to trace on, instead of the one that it has.
+    /// Puts a surface into the design to trace on, beside those that it has.
     ///
     /// # Errors
     /// [`EditorError::Stale`], which a history of its own does not bring about.
-    pub fn put_stencil(&mut self, stencil: StencilSource) -> Result<ViewChange, EditorError> {
-        match self.document.set_stencil(Some(stencil)) {
-            Some(change) => self.make("stencil".to_owned(), change),
-            None => Ok(self.changed(&changing::unchanged(&self.document))),
-        }
+    pub fn put_stencil(&mut self, stencil: FoundStencil) -> Result<ViewChange, EditorError> {
+        let surface = StencilSource::Embedded(Arc::new(stencil.surface));
+        self.make("add stencil".to_owned(), self.document.with_stencil(stencil.name, surface))
     }
 
     /// Profiles have changed: machine and material are looked up anew.

@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_files::document::{JointFile, Walk};
+use wirebend_files::document::{JointFile, Look, PlacementFile, Walk};
 use wirebend_files::read::LengthUnit;
 
 /// A change that a person asks for. Lengths in mm, vertices and edges by their ids.
@@ -249,8 +249,14 @@ pub enum EditRequest {
     Notes { text: String },
     /// The unit that lengths are shown in.
     Units { units: LengthUnit },
-    /// Takes the stencil away.
-    RemoveStencil {},
+    /// Takes a stencil away.
+    RemoveStencil { stencil: u32 },
+    /// Moves, turns and scales a stencil.
+    PlaceStencil { stencil: u32, placement: PlacementFile },
+    /// Names, colours, hides or shows a stencil.
+    StencilLook { stencil: u32, look: Look },
+    /// Names, colours, hides or shows the part that an edge belongs to: all struts that hang together with it.
+    PartLook { edge: u32, look: Look },
     /// Several changes, one after the other, as one thing to undo.
     Several {
         /// What a menu calls them together, after "Undo".

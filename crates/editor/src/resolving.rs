@@ -89,10 +89,7 @@ impl EditRequest {
                 one(Edit::Straighten { edges: edge_ids(edges), tolerance: tolerance(*tolerance_mm)? })
             }
             Self::Round { edges, tolerance_mm, step_deg, least_edge_mm } => {
-                let min_edge = not_negative(*least_edge_mm).ok_or(EditorError::LeastEdge(*least_edge_mm))?;
-                let step = Angle::from_deg(*step_deg).map_err(|_| EditorError::ArcStep(*step_deg))?;
-                let tolerance = tolerance(*tolerance_mm)?;
-                one(Edit::Round { edges: edge_ids(edges), tolerance, step, min_edge })
+                one(round(edges, *tolerance_mm, *step_deg, *least_edge_mm)?)
             }
             Self::Length { .. }
             | Self::Angle { .. }
@@ -111,7 +108,10 @@ impl EditRequest {
             | Self::Machine { .. }
             | Self::Notes { .. }
             | Self::Units { .. }
-            | Self::RemoveStencil {}
+            | Self::RemoveStencil { .. }
+            | Self::PlaceStencil { .. }
+            | Self::StencilLook { .. }
+            | Self::PartLook { .. }
             | Self::Several { .. } => Ok(None),
         }
     }
@@ -172,10 +172,21 @@ impl EditRequest {
             Self::Machine { .. } => "machine".to_owned(),
             Self::Notes { .. } => "notes".to_owned(),
             Self::Units { .. } => "units".to_owned(),
-            Self::RemoveStencil {} => "remove stencil".to_owned(),
+            Self::RemoveStencil { .. } => "remove stencil".to_owned(),
+            Self::PlaceStencil { .. } => "place stencil".to_owned(),
+            Self::StencilLook { look, .. } if look.hidden => "hide stencil".to_owned(),
+            Self::StencilLook { .. } => "change stencil".to_owned(),
+            Self::PartLook { look, .. } if look.hidden => "hide part".to_owned(),
+            Self::PartLook { .. } => "change part".to_owned(),
             Self::Several { label, .. } => label.clone(),
         }
     }
+}
+
+fn round(edges: &[u32], tolerance_mm: f64, step_deg: f64, least_edge_mm: f64) -> Result<Edit, EditorError> {
+    let min_edge = not_negative(least_edge_mm).ok_or(EditorError::LeastEdge(least_edge_mm))?;
+    let step = Angle::from_deg(step_deg).map_err(|_| EditorError::ArcStep(step_deg))?;
+    Ok(Edit::Round { edges: edge_ids(edges), tolerance: tolerance(tolerance_mm)?, step, min_edge })
 }
 
 fn edge_ids(list: &[u32]) -> Vec<EdgeId> {

@@ -2,9 +2,12 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
+use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Edge, EdgeId, Vertex, VertexId};
 use wirebend_error::ProblemReport;
-use wirebend_files::document::{DocumentChange, JointFile, PausePoint};
+use wirebend_files::document::{
+    DocumentChange, JointFile, Look, PartLook, PausePoint, PlacedStencil, PlacementFile, StencilSource,
+};
 use wirebend_files::read::LengthUnit;
 
 use super::{ChosenWalk, Editor};
@@ -49,7 +52,56 @@ impl From<&PausePoint> for PauseView {
     }
 }
 
-/// All but vertices, edges and the stencil.
+/// A surface to trace on.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct StencilView {
+    pub id: u32,
+    /// Its name, or that of its file.
+    pub name: String,
+    pub look: Look,
+    pub placement: PlacementFile,
+    /// Its surface; null where that is in a file that was not found.
+    pub surface: Option<SurfaceView>,
+}
+
+/// A surface, in its own frame.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct SurfaceView {
+    pub faces: usize,
+    /// The middle of the box around it, mm.
+    pub middle_mm: [f64; 3],
+    /// How far the box reaches along x, y and z, mm.
+    pub size_mm: [f64; 3],
+    /// The rows of the matrix that takes a point of it, mm, to where it lies in the design.
+    pub matrix: [[f64; 4]; 3],
+}
+
+/// How the part looks that an edge belongs to: all struts that hang together with it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct PartView {
+    /// One edge of it.
+    pub edge: u32,
+    pub look: Look,
+}
+
+impl StencilView {
+    fn of((stencil, source): (&PlacedStencil, &StencilSource)) -> Self {
+        Self {
+            id: stencil.id.0,
+            name: stencil.name(source).to_owned(),
+            look: stencil.look.clone(),
+            placement: (&stencil.placement).into(),
+            surface: source.embedded().map(|surface| SurfaceView {
+                faces: surface.faces().len(),
+                middle_mm: surface.middle().into(),
+                size_mm: surface.size().map(Length::mm),
+                matrix: stencil.placement.matrix(surface.middle()),
+            }),
+        }
+    }
+}
+
+/// All but vertices, edges and surfaces.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct DesignState {
     /// What it is called.
@@ -68,8 +120,10 @@ pub struct DesignState {
     pub machine: Option<String>,
     /// The material's id.
     pub material: Option<String>,
-    /// What the stencil is called, after its file; null without a stencil, and where it is not known.
-    pub stencil: Option<String>,
+    /// The surfaces to trace on. What has another id is another surface.
+    pub stencils: Vec<StencilView>,
+    /// The parts that were named, coloured or hidden.
+    pub parts: Vec<PartView>,
     /// Edges that may be laid twice.
     pub doublings: Vec<u32>,
     /// The vertex where the wire starts.
@@ -101,8 +155,6 @@ pub struct DesignView {
     pub edges: Vec<EdgeView>,
     /// The rest.
     pub state: DesignState,
-    /// Corners and faces of the stencil.
-    pub stencil: Option<[usize; 2]>,
 }
 
 /// What a change makes of the design.
@@ -114,8 +166,6 @@ pub struct ViewChange {
     /// Edges that were added or changed.
     pub edges: Vec<EdgeView>,
     pub gone_edges: Vec<u32>,
-    /// Whether the stencil is another, or gone.
-    pub stencil: bool,
     /// The rest, as it is now.
     pub state: DesignState,
 }
@@ -125,16 +175,14 @@ impl Editor {
     #[must_use]
     pub fn view(&self) -> DesignView {
         let wireframe = &self.document.wireframe;
-        let stencil = self.document.embedded_stencil();
         DesignView {
             vertices: wireframe.vertices().map(vertex).collect(),
             edges: wireframe.edges().map(edge).collect(),
             state: self.state(),
-            stencil: stencil.map(|stencil| [stencil.vertices().len(), stencil.faces().len()]),
         }
     }
 
-    /// All but vertices, edges and the stencil.
+    /// All but vertices, edges and surfaces.
     #[must_use]
     pub fn state(&self) -> DesignState {
         let document = &self.document;
@@ -148,7 +196,8 @@ impl Editor {
             redo: self.history.redo_label().map(str::to_owned),
             machine: document.machine.as_ref().map(|machine| machine.id.clone()),
             material: document.material.as_ref().map(|material| material.id.clone()),
-            stencil: document.stencil_name().map(str::to_owned),
+            stencils: document.placed_stencils().map(StencilView::of).collect(),
+            parts: document.parts.iter().map(PartView::from).collect(),
             doublings: document.doublings.iter().map(|id| id.0).collect(),
             start: document.start.map(|id| id.0),
             wires: document.wires.get(),
@@ -178,8 +227,13 @@ impl Editor {
                 None => gone_edges.push(id.0),
             }
         }
-        let stencil = change.stencil.is_some();
-        ViewChange { vertices, gone_vertices, edges, gone_edges, stencil, state: self.state() }
+        ViewChange { vertices, gone_vertices, edges, gone_edges, state: self.state() }
+    }
+}
+
+impl From<&PartLook> for PartView {
+    fn from(part: &PartLook) -> Self {
+        Self { edge: part.edge.0, look: part.look.clone() }
     }
 }
 

@@ -1,9 +1,11 @@
 //! What a command works on: a file or bytes, read into a document.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
+use wirebend_core::mesh::Stencil;
 use wirebend_core::units::Length;
 use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_files::document::{Document, Job, SourceFile, StencilSource, sha256_hex};
@@ -113,6 +115,13 @@ const fn default_tolerance_mm() -> f64 {
     DEFAULT_TOLERANCE_MM
 }
 
+/// A surface that was found in a file.
+pub struct FoundStencil {
+    /// The file's name.
+    pub name: String,
+    pub surface: Stencil,
+}
+
 impl DesignInput {
     /// A file, read with the defaults.
     #[must_use]
@@ -144,17 +153,16 @@ impl DesignInput {
         self.open_bytes(name, &bytes)
     }
 
-    /// Reads the surface.
-    pub fn stencil(
-        &self,
-        progress: &dyn Progress,
-    ) -> Result<(StencilSource, Vec<NoteReport>), PlanningError> {
+    /// Reads the surface; of a design with several stencils, all of them as one.
+    pub fn stencil(&self, progress: &dyn Progress) -> Result<(FoundStencil, Vec<NoteReport>), PlanningError> {
         let mut opened = self.open(progress)?;
-        opened.fetch_stencil(self)?;
-        match opened.document.stencil {
-            Some(stencil @ StencilSource::Embedded { .. }) => Ok((stencil, opened.notes)),
-            _ => Err(PlanningError::NoSurface { name: opened.name }),
+        opened.fetch_stencils(self)?;
+        let surface: Stencil = opened.document.surfaces_in_place().collect();
+        if surface.faces().is_empty() {
+            return Err(PlanningError::NoSurface { name: opened.name });
         }
+        let name = file_name(Path::new(&opened.name));
+        Ok((FoundStencil { name, surface }, opened.notes))
     }
 
     /// Whether no option asks to read other than as the file says.
@@ -211,16 +219,16 @@ impl DesignInput {
         for note in &notes {
             tracing::info!(code = %note.code, count = note.count, "{}", note.message);
         }
-        let document = match imported.document {
-            Some(document) => *document,
-            None => Document {
-                stencil: imported.stencil.map(|surface| {
-                    let name = file_name(Path::new(&name));
-                    StencilSource::Embedded { surface, name }
-                }),
-                source: Some(SourceFile { file: name.clone(), sha256: sha256_hex(bytes) }),
-                ..Document::new(imported.wireframe)
-            },
+        let document = if let Some(document) = imported.document {
+            *document
+        } else {
+            let source = Some(SourceFile { file: name.clone(), sha256: sha256_hex(bytes) });
+            let mut document = Document { source, ..Document::new(imported.wireframe) };
+            if let Some(surface) = imported.stencil {
+                let name = file_name(Path::new(&name));
+                document.add_stencil(name, StencilSource::Embedded(Arc::new(surface)));
+            }
+            document
         };
         Ok(Opened {
             name,
@@ -287,7 +295,7 @@ impl Opened {
 
     /// The design, if it has a wireframe to work on.
     pub fn with_wireframe(self) -> Result<Self, PlanningError> {
-        if self.document.wireframe.edge_count() == 0 && self.document.stencil.is_some() {
+        if self.document.wireframe.edge_count() == 0 && !self.document.stencils.is_empty() {
             return Err(PlanningError::OnlyStencil { name: self.name });
         }
         Ok(self)

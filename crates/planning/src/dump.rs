@@ -4,6 +4,7 @@ use nalgebra::Point3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
+use wirebend_core::mesh::Stencil;
 use wirebend_core::plan::WirePlan;
 use wirebend_core::wireframe::Wireframe;
 use wirebend_files::document::JointFile;
@@ -54,11 +55,13 @@ fn point(p: &Point3<f64>) -> Value {
 }
 
 fn stencil(opened: &Opened) -> Value {
-    opened.document.embedded_stencil().map_or(Value::Null, |stencil| {
-        json!({
-            "vertices_mm": stencil.vertices().iter().map(point).collect::<Vec<_>>(),
-            "faces": stencil.faces(),
-        })
+    let stencil: Stencil = opened.document.surfaces_in_place().collect();
+    if stencil.vertices().is_empty() {
+        return Value::Null;
+    }
+    json!({
+        "vertices_mm": stencil.vertices().iter().map(point).collect::<Vec<_>>(),
+        "faces": stencil.faces(),
     })
 }
 

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::wireframe::Wireframe;
 use wirebend_error::ErrorRemedy;
-use wirebend_files::document::Document;
+use wirebend_files::document::{Document, StencilSource};
 
 use crate::choices::PlanChoices;
 use crate::design::DesignInput;
@@ -59,6 +59,18 @@ pub struct StencilReport {
     pub faces: usize,
 }
 
+impl StencilReport {
+    /// Of all that are in a document.
+    fn of(document: &Document) -> Option<Self> {
+        let surfaces = || document.surfaces.values().filter_map(StencilSource::embedded);
+        surfaces().next()?;
+        Some(Self {
+            vertices: surfaces().map(|surface| surface.vertices().len()).sum(),
+            faces: surfaces().map(|surface| surface.faces().len()).sum(),
+        })
+    }
+}
+
 pub fn import(
     app: &Installation,
     request: &ImportRequest,
@@ -74,7 +86,7 @@ pub fn import(
     let contents = if as_obj { wireframe_obj(&opened.document)? } else { opened.document.to_bytes()? };
     let wireframe = &opened.document.wireframe;
     let mut notes = opened.notes;
-    if wireframe.edge_count() == 0 && opened.document.stencil.is_some() {
+    if wireframe.edge_count() == 0 && !opened.document.stencils.is_empty() {
         notes.push(NoteReport {
             code: "only-stencil".into(),
             count: 1,
@@ -90,10 +102,7 @@ pub fn import(
         components: wireframe.components().len(),
         length_mm: wireframe.total_length().mm(),
         size_mm: size_mm(wireframe),
-        stencil: opened.document.embedded_stencil().map(|stencil| StencilReport {
-            vertices: stencil.vertices().len(),
-            faces: stencil.faces().len(),
-        }),
+        stencil: StencilReport::of(&opened.document),
         notes,
         contents: if output.is_some() { Vec::new() } else { contents },
         output,

@@ -1,9 +1,10 @@
-//! The stencil of a document that has it in a file of its own.
+//! Stencils that a document has in files of their own.
 
 use std::path::{Component, Path};
+use std::sync::Arc;
 
 use wirebend_core::mesh::Stencil;
-use wirebend_files::document::{StencilSource, sha256_hex};
+use wirebend_files::document::{PlacedStencil, StencilId, StencilSource, sha256_hex};
 use wirebend_files::read::{ReadOptions, read, read_file};
 
 use crate::design::{DesignInput, Opened};
@@ -12,20 +13,34 @@ use crate::output::file_name;
 use crate::report::NoteReport;
 
 impl Opened {
-    /// The design with its stencil. Without it, it is the same design: what hinders is reported, and the document still names the file.
+    /// The design with its stencils. Without one of them it is the same design: what hinders is reported, and the document still names the
+    /// file.
     #[must_use]
-    pub fn with_stencil(mut self, input: &DesignInput) -> Self {
-        if let Err(error) = self.fetch_stencil(input) {
-            let advice = "put it beside the design and open that again, or open another stencil";
-            self.note("stencil-missing", format!("the stencil is not shown: {error}; {advice}"));
+    pub fn with_stencils(mut self, input: &DesignInput) -> Self {
+        for id in self.stencils_in_files() {
+            if let Err(error) = self.fetch_stencil(id, input) {
+                let advice = "put it beside the design and open that again, or open another stencil";
+                self.note("stencil-missing", format!("the stencil is not shown: {error}; {advice}"));
+            }
         }
         self
     }
 
-    /// Reads the stencil into the document from the file where that has it: what a person traces on stays with the design wherever it is
+    /// Reads the stencils into the document from the files where that has them: what a person traces on stays with the design wherever it is
     /// saved.
-    pub fn fetch_stencil(&mut self, input: &DesignInput) -> Result<(), StencilFileError> {
-        let Some(StencilSource::File { path, sha256 }) = &self.document.stencil else { return Ok(()) };
+    pub fn fetch_stencils(&mut self, input: &DesignInput) -> Result<(), StencilFileError> {
+        self.stencils_in_files().into_iter().try_for_each(|id| self.fetch_stencil(id, input))
+    }
+
+    fn stencils_in_files(&self) -> Vec<StencilId> {
+        let surfaces = self.document.surfaces.iter();
+        surfaces.filter(|(_, surface)| surface.embedded().is_none()).map(|(id, _)| *id).collect()
+    }
+
+    fn fetch_stencil(&mut self, id: StencilId, input: &DesignInput) -> Result<(), StencilFileError> {
+        let Some(StencilSource::File { path, sha256 }) = self.document.surfaces.get(&id) else {
+            return Ok(());
+        };
         let (surface, as_it_was) = fetch(path, sha256, input)?;
         let name = file_name(Path::new(path));
         if as_it_was {
@@ -40,7 +55,11 @@ impl Opened {
                 format!("the stencil {name} has changed since the design was saved: {advice}"),
             );
         }
-        self.document.stencil = Some(StencilSource::Embedded { surface, name });
+        self.document.surfaces.insert(id, StencilSource::Embedded(Arc::new(surface)));
+        let unnamed = |stencil: &&mut PlacedStencil| stencil.id == id && stencil.look.name.is_empty();
+        if let Some(stencil) = self.document.stencils.iter_mut().find(unnamed) {
+            stencil.look.name = name;
+        }
         Ok(())
     }
 

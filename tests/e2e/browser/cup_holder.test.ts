@@ -77,7 +77,7 @@ it("makes a holder for a cup of 80 mm that is a stencil, in at most 50 clicks an
   const dialog = editor.page.getByRole("dialog", { name: "Open cup.obj" });
   await dialog.getByRole("status").filter({ hasText: "80.0 × 80.0 × 100.0 mm" }).waitFor();
   await dialog.getByRole("button", { name: "Open" }).click();
-  await editor.section("trace").getByText("188 triangles").first().waitFor();
+  await editor.section("trace").getByText("50 faces").first().waitFor();
 
   // Two rings.
   editor.handled += 1;

@@ -55,9 +55,9 @@ it("asks once what the numbers of a stencil measure, and says what size comes ou
   await dialog.getByRole("status").filter({ hasText: "50.8 × 50.8 × 50.8 mm" }).waitFor();
   await editor.isCleanNow("trace-units");
   await dialog.getByRole("button", { name: "Open" }).click();
-  await trace().getByText("12 triangles").first().waitFor();
+  await trace().getByText("12 faces").first().waitFor();
   expect(await dialog.count()).toBe(0);
-  expect((await editor.design()).stencil).toEqual([8, 12]);
+  expect((await editor.design()).state.stencils.map(({ surface }) => surface?.faces)).toEqual([12]);
 });
 
 it("snaps to corners of the stencil, shows so before the click, and ends a strand on a vertex", async () => {
@@ -93,16 +93,17 @@ it("makes nothing of a first click that Escape follows", async () => {
 });
 
 it("hides the stencil, changes how much of it is seen, and takes it away", async () => {
-  await editor.button("Hide").click();
-  await editor.button("Show").click();
-  const slider = trace().getByLabel("Opacity of the stencil");
+  await editor.button("Hide all").click();
+  await editor.button("Show all").click();
+  const slider = trace().getByLabel("Opacity of the stencils");
   await slider.fill("0.9");
   expect(await slider.getAttribute("aria-valuetext")).toMatch(/^90.?%$/);
-  await editor.button("Remove").click();
+  await editor.button("Place or remove…").click();
+  await editor.button("Remove cube.stl").click();
   await trace().getByText("no stencil").waitFor();
-  expect((await editor.design()).stencil).toBeNull();
+  expect((await editor.design()).state.stencils).toEqual([]);
   await editor.page.keyboard.press("Control+z");
-  await trace().getByText("12 triangles").first().waitFor();
+  await trace().getByText("12 faces").first().waitFor();
 });
 
 it("draws on a plane, on the grid of it", async () => {

@@ -6,7 +6,17 @@ import type { DesignView, MachineState } from "../../../ui/src/generated/respons
 import { barriers, type Complaints, openBrowser, openPage, picture } from "./browser.ts";
 import { Loopback } from "./loopback.ts";
 
-export type Section = "trace" | "edit" | "check" | "animate" | "frame" | "sequence" | "machine" | "export" | "run";
+export type Section =
+  | "parts"
+  | "trace"
+  | "edit"
+  | "check"
+  | "animate"
+  | "frame"
+  | "sequence"
+  | "machine"
+  | "export"
+  | "run";
 
 /** How long something may take on a computer that is busy, ms. */
 export const PATIENCE = Number(process.env.E2E_PATIENCE_MS ?? 30_000);

@@ -75,8 +75,9 @@ fn json(status: StatusCode, text: String) -> Response {
     (status, [(header::CONTENT_TYPE, "application/json")], text).into_response()
 }
 
-async fn stencil(State(served): State<Arc<Served>>) -> Vec<u8> {
-    blocking(move || served.desk.stencil_mesh()).await
+async fn stencil(State(served): State<Arc<Served>>, body: String) -> Response {
+    let Ok(id) = body.parse() else { return StatusCode::BAD_REQUEST.into_response() };
+    blocking(move || served.desk.stencil_mesh(id)).await.into_response()
 }
 
 async fn stop(State(served): State<Arc<Served>>) -> StatusCode {

@@ -10,6 +10,7 @@ import { FrameSection } from "../features/frame/FrameSection";
 import { Legend } from "../features/frame/Legend";
 import { MachineSection } from "../features/machine/MachineSection";
 import { Panel } from "../features/panel/Panel";
+import { PartsSection } from "../features/parts/PartsSection";
 import { Problems } from "../features/problems/Problems";
 import { RunSection } from "../features/run/RunSection";
 import { SequenceSection } from "../features/sequence/SequenceSection";
@@ -57,6 +58,7 @@ export function App() {
       </main>
       <Panel>
         <Guard name="Trace">
+          <PartsSection />
           <TraceSection />
         </Guard>
         <Guard name="Edit">

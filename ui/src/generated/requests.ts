@@ -395,6 +395,22 @@ export type EditRequest =
     }
   | {
       edit: "remove-stencil";
+      stencil: number;
+    }
+  | {
+      edit: "place-stencil";
+      placement: Placement;
+      stencil: number;
+    }
+  | {
+      edit: "stencil-look";
+      look: Look;
+      stencil: number;
+    }
+  | {
+      edge: number;
+      edit: "part-look";
+      look: Look;
     }
   | {
       edit: "several";
@@ -435,6 +451,10 @@ export type PolygonMeasure = "corners" | "flats" | "side";
  * What the numbers of a file measure.
  */
 export type LengthUnit = ("mm" | "cm" | "m") | "inch";
+/**
+ * Red, green and blue as the screen takes them: "#7f93ab".
+ */
+export type Colour = string;
 /**
  * How joints are closed.
  */
@@ -994,6 +1014,46 @@ export interface ChosenWalk {
    * The vertex where it starts.
    */
   start: number;
+}
+/**
+ * How a stencil lies in the design. It is scaled and turned about the middle of its box, and that is moved.
+ */
+export interface Placement {
+  /**
+   * How much larger than in its file it is.
+   */
+  scale?: number;
+  /**
+   * How far it is moved along x, y and z, mm.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  shift_mm?: [number, number, number];
+  /**
+   * How far it is turned about the x axis, then about the y axis, then about the z axis of the design, degrees.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  turn_deg?: [number, number, number];
+}
+/**
+ * What it is called, its colour, and whether it is hidden. None of it changes what is bent.
+ */
+export interface Look {
+  /**
+   * Absent for the usual one.
+   */
+  colour?: Colour | null;
+  /**
+   * Whether it is left out of the view.
+   */
+  hidden?: boolean;
+  /**
+   * Empty where nobody has named it.
+   */
+  name?: string;
 }
 /**
  * Asks for the examples.

@@ -873,6 +873,10 @@ export type RemedyReport =
  */
 export type SeverityName = "error" | "warning" | "info";
 /**
+ * Red, green and blue as the screen takes them: "#7f93ab".
+ */
+export type Colour = string;
+/**
  * What the numbers of a file measure.
  */
 export type LengthUnit = ("mm" | "cm" | "m") | "inch";
@@ -1301,6 +1305,22 @@ export type EditRequest =
     }
   | {
       edit: "remove-stencil";
+      stencil: number;
+    }
+  | {
+      edit: "place-stencil";
+      placement: Placement;
+      stencil: number;
+    }
+  | {
+      edit: "stencil-look";
+      look: Look;
+      stencil: number;
+    }
+  | {
+      edge: number;
+      edit: "part-look";
+      look: Look;
     }
   | {
       edit: "several";
@@ -1627,6 +1647,7 @@ export type ErrorCode =
   | "document-save"
   | "document-stencil"
   | "document-stencil-damaged"
+  | "document-stencils"
   | "document-wireframe"
   | "document-write"
   | "document-wrong-format"
@@ -1696,6 +1717,7 @@ export type ErrorCode =
   | "no-run"
   | "no-settings"
   | "no-shear-modulus"
+  | "no-stencil"
   | "no-surface"
   | "no-thread"
   | "no-vertex"
@@ -3018,13 +3040,6 @@ export interface DesignView {
   edges: EdgeView[];
   state: DesignState;
   /**
-   * Corners and faces of the stencil.
-   *
-   * @minItems 2
-   * @maxItems 2
-   */
-  stencil: [number, number] | null;
-  /**
    * By id.
    */
   vertices: VertexView[];
@@ -3045,7 +3060,7 @@ export interface EdgeView {
   id: number;
 }
 /**
- * All but vertices, edges and the stencil.
+ * All but vertices, edges and surfaces.
  */
 export interface DesignState {
   /**
@@ -3088,6 +3103,10 @@ export interface DesignState {
    */
   notes: string;
   /**
+   * The parts that were named, coloured or hidden.
+   */
+  parts: PartView[];
+  /**
    * Where the machine waits for a person, by vertex.
    */
   pauses: PauseView[];
@@ -3104,9 +3123,9 @@ export interface DesignState {
    */
   start: number | null;
   /**
-   * What the stencil is called, after its file; null without a stencil, and where it is not known.
+   * The surfaces to trace on. What has another id is another surface.
    */
-  stencil: string | null;
+  stencils: StencilView[];
   /**
    * What would be undone.
    */
@@ -3126,6 +3145,33 @@ export interface DesignState {
   wires: number;
 }
 /**
+ * How the part looks that an edge belongs to: all struts that hang together with it.
+ */
+export interface PartView {
+  /**
+   * One edge of it.
+   */
+  edge: number;
+  look: Look;
+}
+/**
+ * What it is called, its colour, and whether it is hidden. None of it changes what is bent.
+ */
+export interface Look {
+  /**
+   * Absent for the usual one.
+   */
+  colour?: Colour | null;
+  /**
+   * Whether it is left out of the view.
+   */
+  hidden?: boolean;
+  /**
+   * Empty where nobody has named it.
+   */
+  name?: string;
+}
+/**
  * Where the machine waits for a person.
  */
 export interface PauseView {
@@ -3138,6 +3184,72 @@ export interface PauseView {
    */
   pass: number;
   vertex: number;
+}
+/**
+ * A surface to trace on.
+ */
+export interface StencilView {
+  id: number;
+  look: Look;
+  /**
+   * Its name, or that of its file.
+   */
+  name: string;
+  placement: Placement;
+  /**
+   * Its surface; null where that is in a file that was not found.
+   */
+  surface: SurfaceView | null;
+}
+/**
+ * How a stencil lies in the design. It is scaled and turned about the middle of its box, and that is moved.
+ */
+export interface Placement {
+  /**
+   * How much larger than in its file it is.
+   */
+  scale: number;
+  /**
+   * How far it is moved along x, y and z, mm.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  shift_mm: [number, number, number];
+  /**
+   * How far it is turned about the x axis, then about the y axis, then about the z axis of the design, degrees.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  turn_deg: [number, number, number];
+}
+/**
+ * A surface, in its own frame.
+ */
+export interface SurfaceView {
+  faces: number;
+  /**
+   * The rows of the matrix that takes a point of it, mm, to where it lies in the design.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  matrix: [[number, number, number, number], [number, number, number, number], [number, number, number, number]];
+  /**
+   * The middle of the box around it, mm.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  middle_mm: [number, number, number];
+  /**
+   * How far the box reaches along x, y and z, mm.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  size_mm: [number, number, number];
 }
 /**
  * The way of one wire along the edges.
@@ -3764,10 +3876,6 @@ export interface ViewChange {
   gone_edges: number[];
   gone_vertices: number[];
   state: DesignState;
-  /**
-   * Whether the stencil is another, or gone.
-   */
-  stencil: boolean;
   /**
    * Vertices that were added or changed.
    */

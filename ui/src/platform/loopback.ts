@@ -21,8 +21,8 @@ export class Loopback implements Platform {
     return answer.json();
   }
 
-  async stencilMesh(): Promise<ArrayBuffer> {
-    return (await this.send("/stencil", null)).arrayBuffer();
+  async stencilMesh(stencil: number): Promise<ArrayBuffer> {
+    return (await this.send("/stencil", `${stencil}`)).arrayBuffer();
   }
 
   listen(hear: (event: WindowEvent) => void): () => void {

@@ -31,8 +31,8 @@ export interface FileKind {
 export interface Platform {
   /** Rejects with `Refused`. */
   ask<K extends AskName>(name: K, request: Requests[K]): Promise<Responses[K]>;
-  /** The stencil of the open design: see `Workspace::stencil_mesh`. Empty without one. */
-  stencilMesh(): Promise<ArrayBuffer>;
+  /** The surface of a stencil of the open design: see `Workspace::stencil_mesh`. Empty without one. */
+  stencilMesh(stencil: number): Promise<ArrayBuffer>;
   /** Hears of events; the function that is returned ends it. */
   listen(hear: (event: WindowEvent) => void): () => void;
   /** A file to open; null where the person has chosen none. */

@@ -23,8 +23,8 @@ export class TauriWindow implements Platform {
     }
   }
 
-  stencilMesh(): Promise<ArrayBuffer> {
-    return invoke<ArrayBuffer>("stencil_mesh");
+  stencilMesh(stencil: number): Promise<ArrayBuffer> {
+    return invoke<ArrayBuffer>("stencil_mesh", { stencil });
   }
 
   listen(hear: (event: WindowEvent) => void): () => void {

@@ -54,6 +54,8 @@ export interface SceneMarks {
   readonly odd: ReadonlySet<number>;
   /** Edges that are laid twice: drawn as two lines. */
   readonly doubled: ReadonlySet<number>;
+  /** Of edges that are fine, where it is not the usual one. */
+  readonly colours: ReadonlyMap<number, Colour>;
   /** Where the wire starts, with the vertex that it goes to first. */
   readonly start: { readonly vertex: number; readonly towards: number } | null;
   /** Whether all of it was checked, to the last bend: otherwise what is not named is grey, as without a machine. */
@@ -65,12 +67,34 @@ export interface Selection {
   readonly edges: ReadonlySet<number>;
 }
 
-/** A surface to trace on, in mm. */
-export interface SceneStencil {
-  /** x, y, z of each corner. */
+/** A surface in its own frame. */
+export interface SceneSurface {
+  /** x, y, z of each corner, mm. */
   readonly positions: Float32Array;
   /** Three corners a triangle. */
   readonly triangles: Uint32Array;
+}
+
+type Row = readonly [number, number, number, number];
+
+/** A surface to trace on. */
+export interface SceneStencil {
+  /** What has another id, or another surface, is another stencil. */
+  readonly id: number;
+  readonly surface: SceneSurface;
+  /** The rows of the matrix that takes a point of the surface to where it lies in the design: the same scale along all axes. */
+  readonly matrix: readonly [Row, Row, Row];
+  /** Null for that of the theme. */
+  readonly colour: Colour | null;
+  readonly hidden: boolean;
+}
+
+/** The stencil that is chosen: it moves where nothing is selected. mm. */
+export interface ChosenStencil {
+  readonly id: number;
+  readonly middle: Vec3;
+  /** The lines of the box around it. */
+  readonly box: readonly (readonly [Vec3, Vec3])[];
 }
 
 /** What clicks do. */
@@ -152,6 +176,8 @@ export interface SceneListener {
   /** The drag is over: one edit. The scene shows the new places until the design that it is given has them. */
   dropped(moved: readonly Moved[]): void;
   dragCancelled(): void;
+  /** The chosen stencil was dragged so far, mm. It is shown there until this resolves. */
+  stencilMoved(stencil: number, by: Vec3): Promise<void>;
   /**
    * Resolves with the id of the vertex that the strand continues from; null ends the strand. A rejection ends it too; reporting why is up
    * to the listener.

@@ -4,8 +4,9 @@ import { Group, Scene, type WebGLRenderer } from "three";
 import { paint, shared } from "./drawing/shading";
 import { type Sign, Symbols } from "./drawing/symbols";
 import { THEMES, type Theme } from "./drawing/theme";
-import { type TubeLook, Tubes } from "./drawing/tubes";
+import { type Guide, Tubes } from "./drawing/tubes";
 import type {
+  ChosenStencil,
   DrawingPlane,
   LengthFormat,
   Moved,
@@ -22,6 +23,7 @@ import type {
   Vec3,
 } from "./interface";
 import { Backdrop } from "./layers/backdrop";
+import { Chosen } from "./layers/chosen";
 import { DesignLayer, EDGE_STYLE, NO_MARKS } from "./layers/design_layer";
 import { dimensionLabels, NO_DIMENSIONS } from "./layers/dimensions";
 import { type Change, DrawnDesign } from "./layers/drawn_design";
@@ -32,37 +34,15 @@ import { Labels } from "./layers/labels";
 import { areSame } from "./layers/same_marks";
 import { SelectionLayer } from "./layers/selection_layer";
 import { SpreadLayer } from "./layers/spread";
-import { Stencil } from "./layers/stencil";
+import { Stencils } from "./layers/stencils";
 import { StrutLayer } from "./layers/strut_layer";
+import { DEFAULT_SNAP } from "./picking/snap";
 import { Playback } from "./playback/playback";
 import type { Handle } from "./tools/gizmo_parts";
-import { ballAround, middle } from "./vec";
+import { ballAround, middle, ORIGIN } from "./vec";
 import { Camera } from "./view/camera";
 import { axes, framedAspect, framing, pixelAtTarget } from "./view/orbit";
 import type { Projection } from "./view/projection";
-
-/** A line over the picture: a rubber band, an axis that is locked. */
-export interface Guide {
-  readonly from: Vec3;
-  readonly to: Vec3;
-  readonly look: TubeLook;
-}
-
-const DEFAULT_SNAP: SnapSettings = {
-  kinds: new Set([
-    "vertex",
-    "stencil-vertex",
-    "stencil-edge",
-    "edge-middle",
-    "edge",
-    "surface",
-    "angle",
-    "grid",
-    "plane",
-  ]),
-  grid: 10,
-  reach: 10,
-};
 
 export class Stage {
   readonly camera = new Camera();
@@ -79,7 +59,7 @@ export class Stage {
   private readonly designed = new Group();
   private readonly backdrop = new Backdrop(this.uniforms);
   private readonly grid = new Grid(this.uniforms);
-  readonly stencil = new Stencil(this.uniforms);
+  readonly stencils = new Stencils(this.uniforms);
   private readonly layer = new DesignLayer(this.uniforms, this.theme);
   readonly selected = new SelectionLayer(this.uniforms);
   private readonly preview = new Tubes(this.uniforms, { ...EDGE_STYLE, radius: 0.9, most: 2.4, dash: 11, flat: true });
@@ -110,6 +90,7 @@ export class Stage {
   private readonly lines = new Map<string, readonly Guide[]>();
   private handle: Handle | null = null;
   private seen: Projection | null = null;
+  private readonly chosen = new Chosen();
 
   /** `overlay`: for texts over the picture; `changed`: it has to be drawn again. */
   constructor(
@@ -122,7 +103,7 @@ export class Stage {
       this.layer.group,
       this.selected.outlines.mesh,
       this.preview.mesh,
-      this.stencil.group,
+      this.stencils.group,
       this.spread.mesh,
     );
     this.world.add(this.backdrop.mesh, this.grid.mesh, this.designed, this.struts.group, this.playback.group);
@@ -154,7 +135,13 @@ export class Stage {
   get gizmoAt(): Vec3 | null {
     if (this.tool !== "select" || this.playing || this.struts.shown) return null;
     const places = this.placesOf(this.selected.selection);
-    return places.length > 0 ? middle(places) : null;
+    if (places.length > 0) return middle(places);
+    return this.chosen.middle;
+  }
+
+  /** The stencil that would move, and its middle: where nothing is selected. */
+  get stencilInHand(): ChosenStencil | null {
+    return this.placesOf(this.selected.selection).length > 0 ? null : this.chosen.stencil;
   }
 
   viewMoved(): void {
@@ -222,10 +209,23 @@ export class Stage {
     this.changed();
   }
 
-  setStencil(stencil: SceneStencil | null): void {
-    this.stencil.show(stencil);
+  setStencils(stencils: readonly SceneStencil[]): void {
+    this.stencils.show(stencils);
     this.bound();
     this.changed();
+  }
+
+  chooseStencil(chosen: ChosenStencil | null): void {
+    this.chosen.stencil = chosen;
+    this.moveStencil(ORIGIN);
+  }
+
+  /** Shows the chosen stencil elsewhere while it is dragged. */
+  moveStencil(by: Vec3): void {
+    this.chosen.shift = by;
+    const { stencil } = this.chosen;
+    if (stencil) this.stencils.shift(stencil.id, by);
+    this.mark("chosen stencil", [], this.designed.visible ? this.chosen.lines(this.theme) : []);
   }
 
   /** Shows vertices elsewhere while they are dragged. */
@@ -266,8 +266,9 @@ export class Stage {
     this.theme = theme;
     paint(this.uniforms, theme);
     this.layer.paint(this.design, theme);
-    this.stencil.paint(theme);
+    this.stencils.paint(theme);
     this.gizmo.paint(theme);
+    this.moveStencil(this.chosen.shift);
     this.playback.paint(theme);
     this.struts.paint(theme);
     this.labels.paint(theme);
@@ -288,7 +289,7 @@ export class Stage {
 
   /** Whether there is something to look at. */
   get empty(): boolean {
-    return this.design.vertices.length === 0 && this.stencil.ball === null;
+    return this.design.vertices.length === 0 && this.stencils.empty;
   }
 
   /** After what is played has begun or ended. */
@@ -302,6 +303,7 @@ export class Stage {
   private showParts(): void {
     this.designed.visible = !this.playing && !this.struts.shown;
     this.struts.group.visible = !this.playing && this.struts.shown;
+    this.moveStencil(this.chosen.shift);
     this.changed();
   }
 
@@ -332,7 +334,7 @@ export class Stage {
     for (const part of [
       this.backdrop,
       this.grid,
-      this.stencil,
+      this.stencils,
       this.layer,
       this.selected,
       this.preview,
@@ -375,7 +377,7 @@ export class Stage {
   }
 
   private everything(): Vec3[] {
-    return [...this.design.at, ...this.stencil.places];
+    return [...this.design.at, ...this.stencils.places];
   }
 
   private layGrid(height: number): void {

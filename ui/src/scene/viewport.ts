@@ -4,6 +4,7 @@ import { WebGLRenderer } from "three";
 import { THEMES, type ThemeName } from "./drawing/theme";
 import type {
   Axis,
+  ChosenStencil,
   DrawingPlane,
   LengthFormat,
   Played,
@@ -162,15 +163,20 @@ export class Viewport {
     this.stage.hold(places);
   }
 
-  setStencil(stencil: SceneStencil | null): void {
-    this.stage.setStencil(stencil);
+  setStencils(stencils: readonly SceneStencil[]): void {
+    this.stage.setStencils(stencils);
     this.frameFirst();
   }
 
+  /** Marks a stencil; it moves with the gizmo where nothing is selected. */
+  setChosenStencil(chosen: ChosenStencil | null): void {
+    this.stage.chooseStencil(chosen);
+  }
+
   /** `opacity` from 0 to 1. */
-  setStencilShown(shown: boolean, opacity: number): void {
-    this.stage.stencil.group.visible = shown;
-    this.stage.stencil.opacity = opacity;
+  setStencilsShown(shown: boolean, opacity: number): void {
+    this.stage.stencils.group.visible = shown;
+    this.stage.stencils.opacity = opacity;
     this.frames.request();
   }
 

@@ -2,6 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use wirebend_core::mesh::Stencil;
 use wirebend_files::read::Format;
 
 use super::Workspace;
@@ -84,10 +85,10 @@ impl Workspace {
         progress.stage("reading");
         let opened = asked.design.open_bytes(name, &bytes)?;
         let document = &opened.document;
-        let stencil = document.embedded_stencil();
-        let (lines, surface) = (document.wireframe.edge_count() > 0, stencil.is_some());
+        let surfaces: Vec<Stencil> = document.surfaces_in_place().collect();
+        let (lines, surface) = (document.wireframe.edge_count() > 0, !surfaces.is_empty());
         let points = document.wireframe.vertices().map(|(_, vertex)| vertex.position);
-        let corners = stencil.into_iter().flat_map(|stencil| stencil.vertices().iter().copied());
+        let corners = surfaces.iter().flat_map(|surface| surface.vertices().iter().copied());
         let bounds = points.chain(corners).fold(None, |bounds: Option<[[f64; 3]; 2]>, point| {
             let at: [f64; 3] = point.coords.into();
             let [low, high] = bounds.unwrap_or([at, at]);
@@ -108,7 +109,7 @@ impl Workspace {
             size_mm: bounds.map(|[low, high]| [0, 1, 2].map(|k| high[k] - low[k])),
             vertices: document.wireframe.vertex_count(),
             edges: document.wireframe.edge_count(),
-            faces: stencil.map_or(0, |stencil| stencil.faces().len()),
+            faces: surfaces.iter().map(|surface| surface.faces().len()).sum(),
             layers: opened.layers,
             notes: opened.notes,
             name: opened.name,

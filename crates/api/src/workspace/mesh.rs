@@ -1,15 +1,19 @@
-//! The stencil as a window draws it: bytes, since numbers as text take ten times as long.
+//! Stencils as a window draws them: bytes, since numbers as text take ten times as long.
+
+use wirebend_files::document::{StencilId, StencilSource};
 
 use super::Workspace;
 
 impl Workspace {
-    /// The stencil as triangles, little-endian: the number of its corners and of its triangles (32-bit whole numbers),
+    /// The surface of a stencil as triangles, in its own frame, little-endian: the number of its corners and of its triangles (32-bit whole numbers),
     /// x, y and z of each corner in mm (32-bit floats), three corners of each triangle (32-bit whole numbers). Of none,
     /// no bytes. A face with more corners is fanned out from its first.
     #[must_use]
-    pub fn stencil_mesh(&self) -> Vec<u8> {
+    pub fn stencil_mesh(&self, stencil: u32) -> Vec<u8> {
         let open = self.open();
-        let Some(stencil) = open.document().embedded_stencil() else { return Vec::new() };
+        let surface = open.document().surfaces.get(&StencilId(stencil)).and_then(StencilSource::embedded);
+        let Some(stencil) = surface.cloned() else { return Vec::new() };
+        drop(open);
         let corners = stencil.vertices();
         let triangles: usize = stencil.faces().iter().map(|face| face.len().saturating_sub(2)).sum();
         let mut bytes = Vec::with_capacity(8 + corners.len() * 12 + triangles * 12);

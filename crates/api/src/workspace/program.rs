@@ -83,10 +83,10 @@ impl Workspace {
         Ok((app, planned))
     }
 
-    /// The open design without its stencil, which is no part of what is bent.
+    /// The open design without its stencils, which are no part of what is bent.
     pub(crate) fn copy(&self) -> Opened {
         let open = self.open();
-        Opened::of(open.state().name, open.without_stencil())
+        Opened::of(open.state().name, open.without_stencils())
     }
 
     pub(crate) fn program(

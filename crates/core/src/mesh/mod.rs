@@ -1,8 +1,12 @@
 //! The stencil: a surface that a person traces a wireframe on. It is looked at, never bent.
 
+mod placement;
+
 use std::collections::BTreeSet;
 
 use nalgebra::Point3;
+
+pub use placement::{Placement, PlacementError};
 
 /// A polygon mesh in millimetres, right-handed, in the frame of the file it came from.
 ///
@@ -11,6 +15,7 @@ use nalgebra::Point3;
 pub struct Stencil {
     vertices: Vec<Point3<f64>>,
     faces: Vec<Vec<u32>>,
+    bounds: [Point3<f64>; 2],
 }
 
 /// Why a mesh cannot be a stencil.
@@ -60,7 +65,13 @@ impl Stencil {
                 return Err(StencilError::NoSuchVertex { face, vertex, last });
             }
         }
-        Ok(Self { vertices, faces })
+        Ok(Self::of_parts(vertices, faces))
+    }
+
+    fn of_parts(vertices: Vec<Point3<f64>>, faces: Vec<Vec<u32>>) -> Self {
+        let first = vertices.first().copied().unwrap_or_default();
+        let bounds = vertices.iter().fold([first; 2], |[low, high], at| [low.inf(at), high.sup(at)]);
+        Self { vertices, faces, bounds }
     }
 
     /// Positions in millimetres.
@@ -73,6 +84,12 @@ impl Stencil {
     #[must_use]
     pub fn faces(&self) -> &[Vec<u32>] {
         &self.faces
+    }
+
+    /// The lowest and the highest corner of the box around it; both are the origin where it has no vertices.
+    #[must_use]
+    pub const fn bounds(&self) -> [Point3<f64>; 2] {
+        self.bounds
     }
 
     /// Every side of every face once, lower index first, in ascending order.

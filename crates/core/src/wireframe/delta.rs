@@ -17,6 +17,14 @@ pub struct Change<T> {
     pub after: Option<T>,
 }
 
+impl<T: Clone> Change<T> {
+    /// The one that leads back.
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        Self { before: self.after.clone(), after: self.before.clone() }
+    }
+}
+
 /// A difference: what changes, from what, to what.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Delta {
@@ -46,12 +54,9 @@ impl Delta {
     /// The difference that leads back.
     #[must_use]
     pub fn inverse(&self) -> Self {
-        fn swap<T: Copy>(change: &Change<T>) -> Change<T> {
-            Change { before: change.after, after: change.before }
-        }
         Self {
-            vertices: self.vertices.iter().map(|(&id, change)| (id, swap(change))).collect(),
-            edges: self.edges.iter().map(|(&id, change)| (id, swap(change))).collect(),
+            vertices: self.vertices.iter().map(|(&id, change)| (id, change.inverse())).collect(),
+            edges: self.edges.iter().map(|(&id, change)| (id, change.inverse())).collect(),
             next: (self.next.1, self.next.0),
         }
     }

@@ -174,7 +174,7 @@ fn what_changes_nothing_is_nothing_to_undo() {
         json!({"edit": "units", "units": "mm"}),
         json!({"edit": "move", "vertices": [1], "by_mm": [0, 0, 0]}),
         json!({"edit": "start", "vertex": null}),
-        json!({"edit": "remove-stencil"}),
+        json!({"edit": "part-look", "edge": 1, "look": {"name": " "}}),
         json!({"edit": "machine", "machine": "wirebend-kit", "material": null}),
         json!({"edit": "detach", "edges": (0..12).collect::<Vec<_>>()}),
         json!({"edit": "several", "label": "there and back", "edits": [{"edit": "start", "vertex": 1},

@@ -1,12 +1,16 @@
 //! The exact difference between two states of a document: what undo, redo and a journal keep.
 
-use wirebend_core::wireframe::{Delta, EdgeId, StaleDelta, VertexId};
+use std::collections::BTreeMap;
 
-use super::ids::{Pin, PinTarget};
+use wirebend_core::wireframe::{Change, Delta, EdgeId, StaleDelta, VertexId};
+
+use super::ids::{Pin, PinTarget, StencilId};
+use super::look::Look;
+use super::part::{PartLook, after_edit, with_look};
 use super::pause::PausePoint;
 use super::project::{Document, WireCount};
 use super::snapshot::ProfileSnapshot;
-use super::stencil::StencilSource;
+use super::stencil::{PlacedStencil, StencilSource};
 use super::walk::Walk;
 use crate::length_unit::LengthUnit;
 
@@ -35,6 +39,8 @@ macro_rules! parts {
         #[derive(Debug, Clone, PartialEq)]
         pub struct DocumentChange {
             pub wireframe: Delta,
+            /// Surfaces that come, go or are others. Only these are named: they may be large.
+            pub surfaces: BTreeMap<StencilId, Change<StencilSource>>,
             $($(#[$doc])* pub $part: Option<Box<Replaced<$type>>>,)*
         }
 
@@ -42,13 +48,18 @@ macro_rules! parts {
             /// A change of the wireframe alone.
             #[must_use]
             pub const fn of_wireframe(wireframe: Delta) -> Self {
-                Self { wireframe, $($part: None,)* }
+                Self { wireframe, surfaces: BTreeMap::new(), $($part: None,)* }
             }
 
             /// The difference that leads back.
             #[must_use]
             pub fn inverse(&self) -> Self {
-                Self { wireframe: self.wireframe.inverse(), $($part: back(self.$part.as_deref()),)* }
+                let surfaces = self.surfaces.iter().map(|(id, change)| (*id, change.inverse())).collect();
+                Self {
+                    wireframe: self.wireframe.inverse(),
+                    surfaces,
+                    $($part: back(self.$part.as_deref()),)*
+                }
             }
 
             /// The same with the parts of another change that it leaves as they are. Both are for the same document, and
@@ -56,13 +67,14 @@ macro_rules! parts {
             #[must_use]
             pub fn and(self, other: Self) -> Self {
                 let wireframe = if self.wireframe.is_empty() { other.wireframe } else { self.wireframe };
-                Self { wireframe, $($part: self.$part.or(other.$part),)* }
+                let surfaces = if self.surfaces.is_empty() { other.surfaces } else { self.surfaces };
+                Self { wireframe, surfaces, $($part: self.$part.or(other.$part),)* }
             }
 
             /// Whether nothing changes.
             #[must_use]
             pub fn is_empty(&self) -> bool {
-                self.wireframe.is_empty() $(&& self.$part.is_none())*
+                self.wireframe.is_empty() && self.surfaces.is_empty() $(&& self.$part.is_none())*
             }
         }
 
@@ -76,7 +88,16 @@ macro_rules! parts {
                 $(if change.$part.as_ref().is_some_and(|swap| swap.before != self.$part) {
                     return Err(StaleChange::Part(stringify!($part)));
                 })*
+                if change.surfaces.iter().any(|(id, swap)| swap.before.as_ref() != self.surfaces.get(id)) {
+                    return Err(StaleChange::Part("surfaces"));
+                }
                 self.wireframe.commit(&change.wireframe)?;
+                for (id, swap) in &change.surfaces {
+                    match &swap.after {
+                        Some(surface) => self.surfaces.insert(*id, surface.clone()),
+                        None => self.surfaces.remove(id),
+                    };
+                }
                 $(if let Some(swap) = &change.$part {
                     self.$part.clone_from(&swap.after);
                 })*
@@ -98,7 +119,10 @@ macro_rules! parts {
 }
 
 parts! {
-    stencil, set_stencil: Option<StencilSource>,
+    /// The stencils but for their surfaces.
+    stencils, set_stencils: Vec<PlacedStencil>,
+    /// How parts look.
+    parts, set_parts: Vec<PartLook>,
     machine, set_machine: Option<ProfileSnapshot>,
     material, set_material: Option<ProfileSnapshot>,
     /// Edges that may be laid twice.
@@ -143,7 +167,60 @@ impl DocumentChange {
         let is_broken = |walk: &Walk| gone_vertex(walk.start) || walk.edges.iter().any(|id| gone_edge(*id));
         let broken = document.walks.iter().any(is_broken);
         let walks = broken.then(|| Box::new(Replaced { before: document.walks.clone(), after: Vec::new() }));
-        Self { doublings, start, walks, pins, pauses, ..Self::of_wireframe(wireframe) }
+        let parts = after_edit(&document.parts, &document.wireframe, &wireframe);
+        let parts = (parts != document.parts)
+            .then(|| Box::new(Replaced { before: document.parts.clone(), after: parts }));
+        Self { parts, doublings, start, walks, pins, pauses, ..Self::of_wireframe(wireframe) }
+    }
+}
+
+impl Document {
+    /// The change that puts a surface into the document, as a stencil that lies as in its file.
+    #[must_use]
+    pub fn with_stencil(&self, name: String, surface: StencilSource) -> DocumentChange {
+        let id = self.next_stencil();
+        let mut stencils = self.stencils.clone();
+        stencils.push(PlacedStencil::new(id, name));
+        self.with_stencils(stencils, id, Change { before: None, after: Some(surface) })
+    }
+
+    /// The change that takes a stencil away; none where it is not there.
+    #[must_use]
+    pub fn without_stencil(&self, id: StencilId) -> Option<DocumentChange> {
+        let before = self.surfaces.get(&id)?.clone();
+        let stencils = self.stencils.iter().filter(|stencil| stencil.id != id).cloned().collect();
+        Some(self.with_stencils(stencils, id, Change { before: Some(before), after: None }))
+    }
+
+    fn with_stencils(
+        &self,
+        after: Vec<PlacedStencil>,
+        id: StencilId,
+        surface: Change<StencilSource>,
+    ) -> DocumentChange {
+        let stencils = Some(Box::new(Replaced { before: self.stencils.clone(), after }));
+        let surfaces = BTreeMap::from([(id, surface)]);
+        DocumentChange { surfaces, stencils, ..DocumentChange::of_wireframe(Delta::none(&self.wireframe)) }
+    }
+
+    /// The change that makes the surfaces those of another state of the document; none where they are.
+    #[must_use]
+    pub fn set_surfaces(&self, after: &BTreeMap<StencilId, StencilSource>) -> Option<DocumentChange> {
+        let ids = self.surfaces.keys().chain(after.keys());
+        let surfaces: BTreeMap<_, _> = ids
+            .map(|id| (*id, Change { before: self.surfaces.get(id).cloned(), after: after.get(id).cloned() }))
+            .filter(|(_, change)| change.before != change.after)
+            .collect();
+        (!surfaces.is_empty()).then(|| DocumentChange {
+            surfaces,
+            ..DocumentChange::of_wireframe(Delta::none(&self.wireframe))
+        })
+    }
+
+    /// The change of how the part looks that an edge belongs to; none where it looks so already.
+    #[must_use]
+    pub fn set_part_look(&self, edge: EdgeId, look: Look) -> Option<DocumentChange> {
+        self.set_parts(with_look(&self.parts, &self.wireframe, edge, look))
     }
 }
 

@@ -4,15 +4,18 @@ use std::collections::BTreeMap;
 
 use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
+use wirebend_core::mesh::PlacementError;
 use wirebend_core::wireframe::{Change, Delta, Edge, EdgeId, NextIds, Vertex, VertexId};
 
 use super::change::{DocumentChange, Replaced};
-use super::ids::{Pin, PinFile};
+use super::ids::{Pin, PinFile, StencilId};
 use super::joint::JointFile;
+use super::look::Look;
+use super::part::{PartFile, PartLook};
 use super::pause::{PausePoint, PausePointFile};
 use super::project::WireCount;
 use super::snapshot::ProfileSnapshot;
-use super::stencil::{StencilFile, StencilSource};
+use super::stencil::{PlacedStencil, PlacementFile, StencilSource, SurfaceFile};
 use super::walk::{Walk, WalkFile};
 use crate::length_unit::LengthUnit;
 
@@ -34,6 +37,9 @@ enum EdgePart {
     Marked(u32, u32, bool),
 }
 
+/// A stencil without its surface.
+type LieFile = (StencilId, Look, PlacementFile);
+
 #[derive(Debug, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 struct ChangeFile {
@@ -44,7 +50,11 @@ struct ChangeFile {
     /// Of the next vertex and the next edge, before and after.
     next: [(u32, u32); 2],
     #[serde(skip_serializing_if = "Option::is_none")]
-    stencil: Option<Pair<StencilFile>>,
+    stencils: Option<[Vec<LieFile>; 2]>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    surfaces: Vec<(StencilId, Pair<SurfaceFile>)>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    parts: Option<[Vec<PartFile>; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     machine: Option<Pair<ProfileSnapshot>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -77,16 +87,20 @@ impl DocumentChange {
     /// # Errors
     /// When a stencil cannot be packed.
     pub fn to_json(&self) -> Result<String, String> {
-        let pack = |stencil: &Option<StencilSource>| {
-            stencil.as_ref().map(StencilFile::pack).transpose().map_err(|error| error.to_string())
+        let pack = |surface: &Option<StencilSource>| {
+            surface.as_ref().map(SurfaceFile::pack).transpose().map_err(|error| error.to_string())
         };
-        let stencil =
-            self.stencil.as_ref().map(|swap| Ok::<_, String>([pack(&swap.before)?, pack(&swap.after)?]));
+        let surfaces = self
+            .surfaces
+            .iter()
+            .map(|(id, swap)| Ok::<_, String>((*id, [pack(&swap.before)?, pack(&swap.after)?])));
         let file = ChangeFile {
             vertices: parts(&self.wireframe.vertices, |id| id.0, vertex_part),
             edges: parts(&self.wireframe.edges, |id| id.0, edge_part),
             next: [self.wireframe.next.0, self.wireframe.next.1].map(|next| (next.vertex, next.edge)),
-            stencil: stencil.transpose()?,
+            stencils: pair(self.stencils.as_deref(), |stencils| stencils.iter().map(lie).collect()),
+            surfaces: surfaces.collect::<Result<_, _>>()?,
+            parts: pair(self.parts.as_deref(), |parts| parts.iter().map(PartFile::from).collect()),
             machine: pair(self.machine.as_deref(), Clone::clone),
             material: pair(self.material.as_deref(), Clone::clone),
             doublings: pair(self.doublings.as_deref(), |edges| edges.iter().map(|id| id.0).collect()),
@@ -115,15 +129,21 @@ impl DocumentChange {
             edges: changes(file.edges, EdgeId, edge_of),
             next: (next[0], next[1]),
         };
-        let unpack = |stencil: Option<StencilFile>| {
-            stencil.map(|file| file.unpack("this change")).transpose().map_err(|error| error.to_string())
+        let unpack = |surface: Option<SurfaceFile>| {
+            surface.map(|file| file.unpack("this change")).transpose().map_err(|error| error.to_string())
         };
-        let stencil = file.stencil.map(|[before, after]| {
-            Ok::<_, String>(Box::new(Replaced { before: unpack(before)?, after: unpack(after)? }))
+        let surfaces = file.surfaces.into_iter().map(|(id, [before, after])| {
+            Ok::<_, String>((id, Change { before: unpack(before)?, after: unpack(after)? }))
+        });
+        let stencils = file.stencils.map(|[before, after]| {
+            let all = |list: Vec<LieFile>| list.into_iter().map(stencil_of).collect::<Result<Vec<_>, _>>();
+            Ok::<_, String>(Box::new(Replaced { before: all(before)?, after: all(after)? }))
         });
         Ok(Self {
             wireframe,
-            stencil: stencil.transpose()?,
+            stencils: stencils.transpose()?,
+            surfaces: surfaces.collect::<Result<_, _>>()?,
+            parts: swap(file.parts, |parts: Vec<PartFile>| parts.into_iter().map(PartLook::from).collect()),
             machine: swap(file.machine, |machine| machine),
             material: swap(file.material, |material| material),
             doublings: swap(file.doublings, |edges: Vec<u32>| edges.into_iter().map(EdgeId).collect()),
@@ -172,6 +192,15 @@ fn edge_of(part: EdgePart) -> Edge {
         EdgePart::Marked(a, b, ceiling) => (a, b, ceiling),
     };
     Edge { a: VertexId(a), b: VertexId(b), ceiling }
+}
+
+fn lie(stencil: &PlacedStencil) -> LieFile {
+    (stencil.id, stencil.look.clone(), (&stencil.placement).into())
+}
+
+fn stencil_of((id, look, placement): LieFile) -> Result<PlacedStencil, String> {
+    let placement = placement.try_into().map_err(|error: PlacementError| error.to_string())?;
+    Ok(PlacedStencil { id, look, placement })
 }
 
 fn parts<K: Copy, T, U>(

@@ -1,8 +1,10 @@
 //! Why a document cannot be opened, made or saved.
 
-use wirebend_core::mesh::StencilError;
+use wirebend_core::mesh::{PlacementError, StencilError};
 use wirebend_core::wireframe::WireframeError;
 use wirebend_error::{ErrorCode, ErrorRemedy};
+
+use super::ids::StencilId;
 
 /// Why a document cannot be opened, made or saved.
 #[derive(Debug, thiserror::Error)]
@@ -70,6 +72,15 @@ pub enum DocumentError {
     /// The embedded stencil is no mesh.
     #[error("{file}: {error}")]
     Stencil { file: String, error: StencilError },
+    /// A stencil lies nowhere.
+    #[error("{file}: stencil {}: {error}", .stencil.0)]
+    StencilPlacement { file: String, stencil: StencilId, error: PlacementError },
+    /// Two stencils of one id.
+    #[error("{file}: two stencils have the id {}", .stencil.0)]
+    SameStencil { file: String, stencil: StencilId },
+    /// A list of stencils, and one that is in no list.
+    #[error("{file}: it has \"stencil\" and \"stencils\"; a document has one of these keys")]
+    TwoStencilKeys { file: String },
     /// A number of a job is NaN or infinite.
     #[error("a job cannot hold the number {value} ({key}): it must be finite")]
     NotFinite { key: &'static str, value: f64 },
@@ -109,6 +120,9 @@ impl DocumentError {
             Self::ClosedWires { .. } => ErrorCode::DocumentClosedWires,
             Self::StencilDamaged { .. } => ErrorCode::DocumentStencilDamaged,
             Self::Stencil { .. } => ErrorCode::DocumentStencil,
+            Self::StencilPlacement { .. } | Self::SameStencil { .. } | Self::TwoStencilKeys { .. } => {
+                ErrorCode::DocumentStencils
+            }
             Self::NotFinite { .. } => ErrorCode::DocumentNotFinite,
             Self::Inconsistent { .. } => ErrorCode::DocumentInconsistent,
             Self::Write(_) => ErrorCode::DocumentWrite,
@@ -125,7 +139,10 @@ impl DocumentError {
             | Self::NoSuchVersion { .. }
             | Self::Wireframe { .. }
             | Self::Dangling { .. }
-            | Self::ClosedWires { .. } => ErrorRemedy::UseLastCopy,
+            | Self::ClosedWires { .. }
+            | Self::StencilPlacement { .. }
+            | Self::SameStencil { .. }
+            | Self::TwoStencilKeys { .. } => ErrorRemedy::UseLastCopy,
             Self::WrongFormat { .. } => ErrorRemedy::OpenAsItIs,
             Self::Newer { .. } => ErrorRemedy::UpdateProgram,
             Self::Changed { .. } | Self::Inconsistent { .. } => ErrorRemedy::PlanAgain,

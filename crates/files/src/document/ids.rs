@@ -1,8 +1,13 @@
-//! How a document names vertices and edges.
+//! How a document names vertices, edges and stencils.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::wireframe::{EdgeId, VertexId};
+
+/// Names a stencil within its document.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[serde(transparent)]
+pub struct StencilId(pub u32);
 
 /// A remark that a person pinned to a place of the design.
 #[derive(Debug, Clone, PartialEq, Eq)]

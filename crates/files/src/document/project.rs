@@ -1,23 +1,24 @@
 //! `.wirebend`: the design that a person works on.
 
+use std::collections::BTreeMap;
 use std::num::NonZeroU32;
 
-use nalgebra::Point3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::mesh::Stencil;
-use wirebend_core::wireframe::{Edge, EdgeId, Joint, NextIds, Vertex, VertexId, Wireframe};
+use wirebend_core::wireframe::{EdgeId, VertexId, Wireframe};
 
 use super::error::DocumentError;
 use super::hash::canonical_sha256;
-use super::ids::{Pin, PinFile, PinTarget};
-use super::joint::JointFile;
+use super::ids::{Pin, PinFile, PinTarget, StencilId};
 use super::layout;
+use super::part::{PartFile, PartLook};
 use super::pause::{PausePoint, PausePointFile};
 use super::snapshot::ProfileSnapshot;
-use super::stencil::{StencilFile, StencilSource};
+use super::stencil::{PlacedStencil, StencilFile, StencilSource, SurfaceFile, unpacked};
 use super::version::History;
 use super::walk::{Walk, WalkFile};
+use super::wireframe::{EdgeFile, VertexFile, WireframeFile};
 use crate::length_unit::LengthUnit;
 
 const HISTORY: History = History { format: "wirebend", title: "a WireBend project", migrations: &[] };
@@ -27,8 +28,12 @@ const HISTORY: History = History { format: "wirebend", title: "a WireBend projec
 pub struct Document {
     /// The struts, with ids that stay.
     pub wireframe: Wireframe,
-    /// The surface that is traced.
-    pub stencil: Option<StencilSource>,
+    /// The surfaces that are traced, in the order of their list.
+    pub stencils: Vec<PlacedStencil>,
+    /// Of each stencil where its surface is.
+    pub surfaces: BTreeMap<StencilId, StencilSource>,
+    /// How parts look that were named, coloured or hidden.
+    pub parts: Vec<PartLook>,
     /// The machine that it is bent on.
     pub machine: Option<ProfileSnapshot>,
     /// The wire that it is bent from.
@@ -79,9 +84,15 @@ pub(crate) struct ProjectFile {
     #[schemars(extend("const" = 1))]
     version: u64,
     wireframe: WireframeFile,
-    /// The surface that is traced.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    stencil: Option<StencilFile>,
+    /// The surfaces that are traced.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    stencils: Vec<StencilFile>,
+    /// The only surface that is traced, as documents have it that know of no others.
+    #[serde(default, skip_serializing)]
+    stencil: Option<SurfaceFile>,
+    /// How parts look that were named, coloured or hidden.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    parts: Vec<PartFile>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     machine: Option<ProfileSnapshot>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -119,53 +130,6 @@ pub(crate) struct ProjectFile {
     /// The file that the wireframe was imported from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     source: Option<SourceFile>,
-}
-
-/// Vertices and edges with ids that are never used again.
-#[derive(Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(rename = "Wireframe")]
-struct WireframeFile {
-    /// The id that the next vertex will get.
-    next_vertex: u32,
-    /// The id that the next edge will get.
-    next_edge: u32,
-    vertices: Vec<VertexFile>,
-    edges: Vec<EdgeFile>,
-}
-
-/// A point where struts meet.
-#[derive(Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(rename = "Vertex")]
-struct VertexFile {
-    id: u32,
-    /// x, y and z in mm, right-handed.
-    at_mm: [f64; 3],
-    /// Whether the design holds it fixed.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    support: bool,
-    /// The motions that a support leaves free: along x, y and z, then turns about them.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    free: Option<[bool; 6]>,
-    /// What holds the struts together there.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    joint: Option<JointFile>,
-}
-
-/// A strut.
-#[derive(Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(rename = "Edge")]
-struct EdgeFile {
-    id: u32,
-    /// The vertex where it starts, by id.
-    a: u32,
-    /// The vertex where it ends, by id.
-    b: u32,
-    /// Whether it is part of the ceiling, the last layer that is built.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    ceiling: bool,
 }
 
 /// What makes a design the same design: see [`Document::design_hash`].
@@ -227,9 +191,12 @@ impl Document {
     /// [`DocumentError`] for anything that is not such a document in one piece.
     pub fn open(bytes: &[u8], file: &str) -> Result<Self, DocumentError> {
         let content: ProjectFile = HISTORY.open(bytes, file)?;
+        let (stencils, surfaces) = unpacked(content.stencils, content.stencil, file)?;
         let document = Self {
             wireframe: content.wireframe.build(file)?,
-            stencil: content.stencil.map(|stencil| stencil.unpack(file)).transpose()?,
+            stencils,
+            surfaces,
+            parts: content.parts.into_iter().map(PartLook::from).collect(),
             machine: content.machine,
             material: content.material,
             doublings: content.doublings.into_iter().map(EdgeId).collect(),
@@ -260,26 +227,30 @@ impl Document {
         layout::to_bytes(&self.file()?)
     }
 
-    /// The stencil, if it is in the document itself.
-    #[must_use]
-    pub fn embedded_stencil(&self) -> Option<&Stencil> {
-        match &self.stencil {
-            Some(StencilSource::Embedded { surface, .. }) => Some(surface),
-            _ => None,
-        }
+    /// The stencils with their surfaces.
+    pub fn placed_stencils(&self) -> impl Iterator<Item = (&PlacedStencil, &StencilSource)> {
+        self.stencils.iter().filter_map(|stencil| Some((stencil, self.surfaces.get(&stencil.id)?)))
     }
 
-    /// What the stencil is called: the file that it is in, or that it was read from, if that is known.
-    #[must_use]
-    pub fn stencil_name(&self) -> Option<&str> {
-        match self.stencil.as_ref()? {
-            StencilSource::Embedded { name, .. } => Some(name.as_str()).filter(|name| !name.is_empty()),
-            StencilSource::File { path, .. } => Some(path),
-        }
+    /// The surfaces that are in the document itself, where they lie in the design.
+    pub fn surfaces_in_place(&self) -> impl Iterator<Item = Stencil> {
+        self.placed_stencils()
+            .filter_map(|(stencil, surface)| Some(surface.embedded()?.placed(&stencil.placement)))
+    }
+
+    /// Puts a surface into the document, as a stencil that lies as in its file.
+    pub fn add_stencil(&mut self, name: String, surface: StencilSource) {
+        let id = self.next_stencil();
+        self.stencils.push(PlacedStencil::new(id, name));
+        self.surfaces.insert(id, surface);
+    }
+
+    pub(super) fn next_stencil(&self) -> StencilId {
+        StencilId(self.stencils.iter().map(|stencil| stencil.id.0 + 1).max().unwrap_or(0))
     }
 
     /// The SHA-256 of the canonical form of what the wire is planned from: vertices, edges,
-    /// doublings and how the wires run. Remarks, pause points, stencil, machine and material do not change it.
+    /// doublings and how the wires run. Remarks, pause points, stencils, looks of parts, machine and material do not change it.
     ///
     /// # Errors
     /// [`DocumentError::Write`].
@@ -304,7 +275,12 @@ impl Document {
             format: HISTORY.format.to_owned(),
             version: HISTORY.current(),
             wireframe: WireframeFile::of(&self.wireframe),
-            stencil: self.stencil.as_ref().map(StencilFile::pack).transpose()?,
+            stencils: self
+                .placed_stencils()
+                .map(|(stencil, surface)| StencilFile::pack(stencil, surface))
+                .collect::<Result<_, _>>()?,
+            stencil: None,
+            parts: self.parts.iter().map(PartFile::from).collect(),
             machine: self.machine.clone(),
             material: self.material.clone(),
             doublings: self.doublings.iter().map(|id| id.0).collect(),
@@ -338,6 +314,9 @@ impl Document {
                 return dangling("walks", format!("edge {id}"));
             }
         }
+        if let Some(part) = self.parts.iter().find(|part| self.wireframe.edge(part.edge).is_none()) {
+            return dangling("parts", format!("edge {}", part.edge));
+        }
         if let Some(pause) = self.pauses.iter().find(|pause| self.wireframe.vertex(pause.vertex).is_none()) {
             return dangling("pauses", format!("vertex {}", pause.vertex));
         }
@@ -353,41 +332,5 @@ impl Document {
             }
         }
         Ok(())
-    }
-}
-
-impl WireframeFile {
-    fn of(wireframe: &Wireframe) -> Self {
-        let NextIds { vertex, edge } = wireframe.next_ids();
-        let vertices = wireframe.vertices().map(|(id, vertex)| VertexFile {
-            id: id.0,
-            at_mm: vertex.position.coords.into(),
-            support: vertex.support,
-            free: Some(vertex.free).filter(|free| free.contains(&true)),
-            joint: vertex.joint.map(JointFile::from),
-        });
-        let edges = wireframe.edges().map(|(id, edge)| EdgeFile {
-            id: id.0,
-            a: edge.a.0,
-            b: edge.b.0,
-            ceiling: edge.ceiling,
-        });
-        Self { next_vertex: vertex, next_edge: edge, vertices: vertices.collect(), edges: edges.collect() }
-    }
-
-    fn build(self, file: &str) -> Result<Wireframe, DocumentError> {
-        let refuse = |error| DocumentError::Wireframe { file: file.to_owned(), error };
-        let mut wireframe = Wireframe::new();
-        for VertexFile { id, at_mm, support, free, joint } in self.vertices {
-            let (position, free) = (Point3::from(at_mm), free.unwrap_or_default());
-            let vertex = Vertex { position, support, free, joint: joint.map(Joint::from) };
-            wireframe.insert_vertex(VertexId(id), vertex).map_err(refuse)?;
-        }
-        for EdgeFile { id, a, b, ceiling } in self.edges {
-            let edge = Edge { a: VertexId(a), b: VertexId(b), ceiling };
-            wireframe.insert_edge(EdgeId(id), edge).map_err(refuse)?;
-        }
-        wireframe.reserve_ids(NextIds { vertex: self.next_vertex, edge: self.next_edge });
-        Ok(wireframe)
     }
 }

@@ -1,29 +1,31 @@
-//! The stencil inside a document: packed into it, or a file beside it.
+//! The stencils of a document: surfaces to trace on, packed into it or in files beside it, and how they lie.
 
-use std::io::{Read, Write};
+use std::collections::BTreeMap;
+use std::sync::Arc;
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
-use flate2::Compression;
-use flate2::read::DeflateDecoder;
-use flate2::write::DeflateEncoder;
-use nalgebra::Point3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::mesh::Stencil;
+use wirebend_core::mesh::{Placement, PlacementError, Stencil};
 
 use super::error::DocumentError;
-use crate::limit::LIMIT;
+use super::ids::StencilId;
+use super::look::Look;
+use super::packed::Packed;
 
-/// Where a document has its stencil.
+/// A stencil but for its surface, which is `Document::surfaces` of its id.
 #[derive(Debug, Clone, PartialEq)]
+pub struct PlacedStencil {
+    pub id: StencilId,
+    pub look: Look,
+    /// How it lies in the design.
+    pub placement: Placement,
+}
+
+/// Where a document has the surface of a stencil.
+#[derive(Debug, Clone)]
 pub enum StencilSource {
     /// In the document itself.
-    Embedded {
-        surface: Stencil,
-        /// The file that it was read from; empty where nobody knows.
-        name: String,
-    },
+    Embedded(Arc<Stencil>),
     /// In a file of its own.
     File {
         /// Its path, relative to the document.
@@ -33,37 +35,45 @@ pub enum StencilSource {
     },
 }
 
+/// A surface to trace on, and how it lies.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "PlacedStencil")]
+pub(crate) struct StencilFile {
+    /// No two stencils have the same.
+    id: StencilId,
+    #[serde(default, skip_serializing_if = "is_plain")]
+    look: Look,
+    /// How it lies in the design; absent where it lies as in its file.
+    #[serde(default, skip_serializing_if = "PlacementFile::is_default")]
+    placement: PlacementFile,
+    surface: SurfaceFile,
+}
+
+/// How a stencil lies in the design. It is scaled and turned about the middle of its box, and that is moved.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Placement")]
+pub struct PlacementFile {
+    /// How far it is moved along x, y and z, mm.
+    #[serde(default)]
+    pub shift_mm: [f64; 3],
+    /// How far it is turned about the x axis, then about the y axis, then about the z axis of the design, degrees.
+    #[serde(default)]
+    pub turn_deg: [f64; 3],
+    /// How much larger than in its file it is.
+    #[serde(default = "one")]
+    pub scale: f64,
+}
+
 #[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(rename = "Stencil")]
-pub(crate) enum StencilFile {
+pub(crate) enum SurfaceFile {
     /// In this document.
     Embedded(Packed),
     /// In another file.
     File(Reference),
-}
-
-/// A mesh: little-endian numbers, deflated (RFC 1951), in base64.
-#[derive(Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(rename = "PackedStencil")]
-pub(crate) struct Packed {
-    /// The file that it was read from.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
-    name: String,
-    /// How many vertices there are.
-    #[schemars(range(max = 5_000_000))]
-    vertices: usize,
-    /// How many faces there are.
-    #[schemars(range(max = 5_000_000))]
-    faces: usize,
-    /// How many corners the faces have together.
-    #[schemars(range(max = 40_000_000))]
-    corners: usize,
-    /// x, y and z of each vertex in mm, 64-bit floats.
-    positions: String,
-    /// Of each face the number of its corners, then their vertices, 32-bit whole numbers.
-    indices: String,
 }
 
 /// A file beside the document.
@@ -78,89 +88,153 @@ pub(crate) struct Reference {
     sha256: String,
 }
 
-impl StencilFile {
-    pub(crate) fn pack(source: &StencilSource) -> Result<Self, DocumentError> {
-        let (stencil, name) = match source {
-            StencilSource::Embedded { surface, name } => (surface, name),
-            StencilSource::File { path, sha256 } => {
-                return Ok(Self::File(Reference { path: path.clone(), sha256: sha256.clone() }));
+const fn one() -> f64 {
+    1.0
+}
+
+fn is_plain(look: &Look) -> bool {
+    *look == Look::default()
+}
+
+impl PlacedStencil {
+    /// A stencil that lies as in its file.
+    #[must_use]
+    pub fn new(id: StencilId, name: String) -> Self {
+        let look = Look { name, ..Look::default() }.with_tidy_name();
+        Self { id, look, placement: Placement::default() }
+    }
+
+    /// What it is called; what is in a file and has no name is called after that.
+    #[must_use]
+    pub fn name<'a>(&'a self, surface: &'a StencilSource) -> &'a str {
+        match surface {
+            StencilSource::File { path, .. } if self.look.name.is_empty() => path,
+            _ => &self.look.name,
+        }
+    }
+}
+
+impl PartialEq for StencilSource {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            // Copies of a document share the surface, which is large.
+            (Self::Embedded(one), Self::Embedded(other)) => Arc::ptr_eq(one, other) || one == other,
+            (Self::File { path, sha256 }, Self::File { path: other_path, sha256: other_sha256 }) => {
+                (path, sha256) == (other_path, other_sha256)
             }
+            _ => false,
+        }
+    }
+}
+
+impl StencilSource {
+    /// The surface, where it is in the document itself.
+    #[must_use]
+    pub fn embedded(&self) -> Option<&Arc<Stencil>> {
+        match self {
+            Self::Embedded(surface) => Some(surface),
+            Self::File { .. } => None,
+        }
+    }
+}
+
+impl Default for PlacementFile {
+    fn default() -> Self {
+        Self { shift_mm: [0.0; 3], turn_deg: [0.0; 3], scale: 1.0 }
+    }
+}
+
+impl PlacementFile {
+    #[allow(clippy::trivially_copy_pass_by_ref, reason = "as serde asks")]
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+impl TryFrom<PlacementFile> for Placement {
+    type Error = PlacementError;
+
+    fn try_from(file: PlacementFile) -> Result<Self, PlacementError> {
+        Self::new(file.shift_mm, file.turn_deg, file.scale)
+    }
+}
+
+impl From<&Placement> for PlacementFile {
+    fn from(placement: &Placement) -> Self {
+        Self { shift_mm: placement.shift_mm(), turn_deg: placement.turn_deg(), scale: placement.scale() }
+    }
+}
+
+impl StencilFile {
+    pub(crate) fn pack(stencil: &PlacedStencil, surface: &StencilSource) -> Result<Self, DocumentError> {
+        Ok(Self {
+            id: stencil.id,
+            look: stencil.look.clone(),
+            placement: (&stencil.placement).into(),
+            surface: SurfaceFile::pack(surface)?,
+        })
+    }
+
+    fn unpack(self, file: &str) -> Result<(PlacedStencil, StencilSource), DocumentError> {
+        let (id, look) = (self.id, self.look);
+        let placement = self.placement.try_into();
+        let placement = placement.map_err(|error| DocumentError::StencilPlacement {
+            file: file.to_owned(),
+            stencil: id,
+            error,
+        })?;
+        Ok((PlacedStencil { id, look, placement }, self.surface.unpack(file)?))
+    }
+
+    /// The only stencil of a document that has none of them in a list.
+    fn only(surface: SurfaceFile) -> Self {
+        let name = match &surface {
+            SurfaceFile::Embedded(packed) => packed.name.clone(),
+            SurfaceFile::File(_) => String::new(),
         };
-        let positions = stencil.vertices().iter().flat_map(|p| [p.x, p.y, p.z]).flat_map(f64::to_le_bytes);
-        let indices = stencil.faces().iter().flat_map(|face| {
-            let count = u32::try_from(face.len()).unwrap_or(u32::MAX);
-            std::iter::once(count).chain(face.iter().copied()).flat_map(u32::to_le_bytes)
-        });
-        Ok(Self::Embedded(Packed {
-            name: name.clone(),
-            vertices: stencil.vertices().len(),
-            faces: stencil.faces().len(),
-            corners: stencil.faces().iter().map(Vec::len).sum(),
-            positions: deflate(&positions.collect::<Vec<u8>>())?,
-            indices: deflate(&indices.collect::<Vec<u8>>())?,
-        }))
+        let look = Look { name, ..Look::default() };
+        Self { id: StencilId(0), look, placement: PlacementFile::default(), surface }
+    }
+}
+
+impl SurfaceFile {
+    pub(crate) fn pack(source: &StencilSource) -> Result<Self, DocumentError> {
+        Ok(match source {
+            StencilSource::Embedded(surface) => Self::Embedded(Packed::pack(surface)?),
+            StencilSource::File { path, sha256 } => {
+                Self::File(Reference { path: path.clone(), sha256: sha256.clone() })
+            }
+        })
     }
 
     pub(crate) fn unpack(self, file: &str) -> Result<StencilSource, DocumentError> {
-        match self {
-            Self::File(Reference { path, sha256 }) => Ok(StencilSource::File { path, sha256 }),
-            Self::Embedded(mut packed) => {
-                let name = std::mem::take(&mut packed.name);
-                Ok(StencilSource::Embedded { surface: packed.unpack(file)?, name })
-            }
-        }
+        Ok(match self {
+            Self::File(Reference { path, sha256 }) => StencilSource::File { path, sha256 },
+            Self::Embedded(packed) => StencilSource::Embedded(Arc::new(packed.unpack(file)?)),
+        })
     }
 }
 
-impl Packed {
-    fn unpack(self, file: &str) -> Result<Stencil, DocumentError> {
-        let damaged = |message: String| DocumentError::StencilDamaged { file: file.to_owned(), message };
-        if self.vertices > LIMIT || self.faces > LIMIT || self.corners > 8 * LIMIT {
-            return Err(damaged(format!("it announces more than {LIMIT} vertices or faces")));
+/// The stencils of a file, which may have only one, and not in its list.
+pub(crate) fn unpacked(
+    mut list: Vec<StencilFile>,
+    only: Option<SurfaceFile>,
+    file: &str,
+) -> Result<(Vec<PlacedStencil>, BTreeMap<StencilId, StencilSource>), DocumentError> {
+    let (mut stencils, mut surfaces) = (Vec::new(), BTreeMap::new());
+    if let Some(only) = only {
+        if !list.is_empty() {
+            return Err(DocumentError::TwoStencilKeys { file: file.to_owned() });
         }
-        let positions = inflate(&self.positions, self.vertices * 24).map_err(damaged)?;
-        let (numbers, _) = positions.as_chunks::<8>();
-        let numbers: Vec<f64> = numbers.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
-        let vertices = numbers.as_chunks::<3>().0.iter().map(|&xyz| Point3::from(xyz)).collect();
-
-        let indices = inflate(&self.indices, (self.faces + self.corners) * 4).map_err(damaged)?;
-        let mut numbers = indices.as_chunks::<4>().0.iter().map(|bytes| u32::from_le_bytes(*bytes));
-        let mut faces = Vec::new();
-        while let Some(count) = numbers.next() {
-            let face: Vec<u32> = numbers.by_ref().take(count as usize).collect();
-            if face.len() != count as usize {
-                return Err(damaged(format!("face {} has {} of {count} corners", faces.len(), face.len())));
-            }
-            faces.push(face);
+        list.push(StencilFile::only(only));
+    }
+    for stencil in list {
+        let (stencil, surface) = stencil.unpack(file)?;
+        let id = stencil.id;
+        stencils.push(stencil);
+        if surfaces.insert(id, surface).is_some() {
+            return Err(DocumentError::SameStencil { file: file.to_owned(), stencil: id });
         }
-        if faces.len() != self.faces {
-            return Err(damaged(format!("it has {} of {} faces", faces.len(), self.faces)));
-        }
-        Stencil::new(vertices, faces).map_err(|error| DocumentError::Stencil { file: file.to_owned(), error })
     }
-}
-
-fn deflate(bytes: &[u8]) -> Result<String, DocumentError> {
-    let write = |error| DocumentError::Write(serde_json::Error::io(error));
-    let mut encoder = DeflateEncoder::new(Vec::new(), Compression::default());
-    encoder.write_all(bytes).map_err(write)?;
-    Ok(STANDARD.encode(encoder.finish().map_err(write)?))
-}
-
-/// Exactly `expected` bytes, or what is wrong. No more than one byte beyond them is ever unpacked.
-fn inflate(text: &str, expected: usize) -> Result<Vec<u8>, String> {
-    let packed = STANDARD.decode(text).map_err(|error| error.to_string())?;
-    let mut bytes = Vec::new();
-    let limit = expected as u64 + 1;
-    DeflateDecoder::new(packed.as_slice())
-        .take(limit)
-        .read_to_end(&mut bytes)
-        .map_err(|error| error.to_string())?;
-    if bytes.len() == expected {
-        return Ok(bytes);
-    }
-    if bytes.len() > expected {
-        return Err(format!("it has more than the {expected} bytes that it announces"));
-    }
-    Err(format!("it has {} of the {expected} bytes that it announces", bytes.len()))
+    Ok((stencils, surfaces))
 }

@@ -145,7 +145,8 @@ fn read_as(
         Format::Moves => moves::read(bytes, source, options),
         Format::Wirebend => {
             let document = Document::open(bytes, name)?;
-            let stencil = document.embedded_stencil().cloned();
+            let stencil: Stencil = document.surfaces_in_place().collect();
+            let stencil = Some(stencil).filter(|stencil| !stencil.faces().is_empty());
             let wireframe = document.wireframe.clone();
             Ok(Imported {
                 format: Format::Wirebend,

@@ -5,7 +5,8 @@ use proptest::prelude::*;
 use wirebend_core::mesh::Stencil;
 use wirebend_core::wireframe::{EdgeId, Edit, MergeAt, Vertex, VertexId, Wireframe};
 use wirebend_files::document::{
-    Document, DocumentChange, PausePoint, Pin, PinTarget, ProfileSnapshot, StaleChange, StencilSource,
+    Document, DocumentChange, Look, PartLook, PausePoint, Pin, PinTarget, ProfileSnapshot, StaleChange,
+    StencilId, StencilSource, sha256_hex,
 };
 use wirebend_files::read::LengthUnit;
 
@@ -24,8 +25,14 @@ fn square() -> Document {
         start: Some(VertexId(2)),
         pins: vec![pin(PinTarget::Vertex(VertexId(2)), "here"), pin(PinTarget::Edge(EdgeId(3)), "zurück\n")],
         pauses: [1, 2].map(pause).to_vec(),
+        parts: vec![part(0, "frame")],
         ..Document::new(wireframe)
     }
+}
+
+fn part(edge: u32, name: &str) -> PartLook {
+    let colour = Some("#c07830".parse().unwrap());
+    PartLook { edge: EdgeId(edge), look: Look { name: name.into(), colour, hidden: false } }
 }
 
 fn pause(vertex: u32) -> PausePoint {
@@ -67,7 +74,7 @@ fn a_change_is_for_the_document_that_it_was_made_for() {
     document.commit(&gone).unwrap();
     assert!(matches!(
         document.commit(&gone),
-        Err(StaleChange::Part("doublings") | StaleChange::Wireframe(_))
+        Err(StaleChange::Part("parts" | "doublings") | StaleChange::Wireframe(_))
     ));
 }
 
@@ -81,7 +88,8 @@ fn every_part_is_written_down() {
         ProfileSnapshot { id: "kit".into(), snapshot: serde_json::json!({"feed": 0.1, "x": [null]}) };
     let mut all = delete(&document, &[0, 2]);
     for part in [
-        document.set_stencil(Some(StencilSource::Embedded { surface: stencil, name: "a \"b\".stl".into() })),
+        Some(document.with_stencil("a \"b\".stl".into(), StencilSource::Embedded(stencil.into()))),
+        document.set_part_look(EdgeId(1), Look { name: "\"c\"".into(), ..Look::default() }),
         document.set_machine(Some(machine.clone())),
         document.set_material(Some(machine)),
         document.set_notes("a\n\"b\"\u{2028}".into()),
@@ -99,6 +107,68 @@ fn every_part_is_written_down() {
     assert_eq!(one.to_bytes().unwrap(), other.to_bytes().unwrap(), "bit for bit");
     other.commit(&read.inverse()).unwrap();
     assert_eq!(other, document);
+}
+
+fn edited(document: &mut Document, edit: &Edit) {
+    let change = DocumentChange::of_edit(document, edit.resolve(&document.wireframe).unwrap());
+    document.commit(&change).unwrap();
+}
+
+/// A look is of all that hangs together, and is not lost while something of it is left.
+#[test]
+fn a_look_stays_with_its_part() {
+    let mut document = square();
+    edited(&mut document, &Edit::Delete { vertices: vec![], edges: vec![EdgeId(0)] });
+    assert_eq!(document.parts, [part(3, "frame")], "an edge beside it");
+    edited(&mut document, &Edit::Delete { vertices: vec![], edges: vec![EdgeId(1), EdgeId(2)] });
+    assert_eq!(document.parts, [part(3, "frame")]);
+    edited(&mut document, &Edit::SplitEdge { edge: EdgeId(3), at: 0.5 });
+    let [kept] = &document.parts[..] else { panic!("{:?}", document.parts) };
+    assert!(document.wireframe.edge(kept.edge).is_some());
+    edited(&mut document, &Edit::Delete { vertices: vec![VertexId(3), VertexId(0)], edges: vec![] });
+    assert_eq!(document.parts, [], "nothing of it is left");
+}
+
+/// Whichever edge of it is named.
+#[test]
+fn a_part_has_one_look() {
+    let mut document = square();
+    let other = Edit::Draw {
+        from: None,
+        through: vec![Point3::new(50.0, 0.0, 0.0), Point3::new(60.0, 0.0, 0.0)],
+        to: None,
+    };
+    edited(&mut document, &other);
+    for (edge, name) in [(3, "back"), (4, "hook"), (2, "front")] {
+        let change = document.set_part_look(EdgeId(edge), part(edge, name).look).unwrap();
+        document.commit(&change).unwrap();
+    }
+    assert_eq!(document.parts, [part(2, "front"), part(4, "hook")]);
+    let plain = document.set_part_look(EdgeId(0), Look::default()).unwrap();
+    document.commit(&plain).unwrap();
+    assert_eq!(document.parts, [part(4, "hook")]);
+}
+
+#[test]
+fn stencils_come_and_go_with_their_surfaces() {
+    let mut document = Document::default();
+    let surface = || StencilSource::File { path: "a.stl".into(), sha256: sha256_hex(b"a") };
+    for name in ["one", "two"] {
+        let change = document.with_stencil(name.into(), surface());
+        document.commit(&change).unwrap();
+    }
+    let both = document.clone();
+    let ids = |document: &Document| document.stencils.iter().map(|stencil| stencil.id).collect::<Vec<_>>();
+    assert_eq!(ids(&document), document.surfaces.keys().copied().collect::<Vec<_>>());
+    let gone = document.without_stencil(ids(&document)[0]).unwrap();
+    let gone = DocumentChange::of_json(&gone.to_json().unwrap()).unwrap();
+    document.commit(&gone).unwrap();
+    assert_eq!((document.surfaces.len(), document.stencils[0].look.name.as_str()), (1, "two"));
+    assert_eq!(document.commit(&gone), Err(StaleChange::Part("stencils")));
+    document.commit(&gone.inverse()).unwrap();
+    assert_eq!(document, both);
+    assert_eq!(both.set_surfaces(&both.surfaces), None);
+    assert!(both.without_stencil(StencilId(7)).is_none());
 }
 
 #[test]

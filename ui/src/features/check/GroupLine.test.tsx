@@ -40,7 +40,7 @@ beforeEach(() => {
   document.body.append(host);
   root = createRoot(host);
   const check: LiveCheck = { feasible: false, diagnostics: [short], wires: [], limits_unknown: null };
-  useDesign.setState({ check, limits: check, stencil: null });
+  useDesign.setState({ check, limits: check, surfaces: new Map() });
   useFixes.setState({ fixes: [fix], of: check, shown: null });
 });
 afterEach(() => {

@@ -83,7 +83,7 @@ export function GroupLine({ group }: { readonly group: Group }) {
   const fixes = single ? fixesOf(first, all) : [];
   const fixable = single ? fixes.length > 0 : reports.some((report) => fixesOf(report, all).length > 0);
   const pointing = usePointing(reports);
-  const stencil = useDesign((design) => design.stencil !== null);
+  const stencil = useDesign(({ surfaces }) => surfaces.size > 0);
   const way = fixable ? null : wayOut(first?.code ?? "", stencil);
   const places = placesOfAll(reports);
   const somewhere = places.vertices.length + places.edges.length > 0;

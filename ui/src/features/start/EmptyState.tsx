@@ -35,7 +35,9 @@ function Cards() {
 
 /** What there is to do while the design is empty. It goes as soon as there is something to see, or a tool is chosen. */
 export function EmptyState() {
-  const empty = useDesign(({ vertices, stencil, state }) => state !== null && vertices.size === 0 && stencil === null);
+  const empty = useDesign(
+    ({ vertices, surfaces, state }) => state !== null && vertices.size === 0 && surfaces.size === 0,
+  );
   const drawing = useView(({ tool }) => tool !== "select");
   const busy = useFiles((files) => files.busy);
   const byHand = useByHand(({ played }) => played !== null);

@@ -17,9 +17,11 @@ const at = place();
 
 it("asks for a shape until there is one, and continues with the machine then", () => {
   useHints.setState({ step: 0 });
-  useDesign.setState({ state: designState(), vertices: new Map(), stencil: null });
+  useDesign.setState({ state: designState(), vertices: new Map(), surfaces: new Map() });
   at.show(<Hints />);
   expect(at.host.textContent).toContain("Start with a shape");
-  act(() => useDesign.setState({ stencil: { positions: new Float32Array(9), triangles: new Uint32Array(3) } }));
+  act(() =>
+    useDesign.setState({ surfaces: new Map([[0, { positions: new Float32Array(9), triangles: new Uint32Array(3) }]]) }),
+  );
   expect(at.host.textContent).toContain("Choose the machine and the wire");
 });

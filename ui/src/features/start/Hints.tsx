@@ -44,7 +44,7 @@ export function Hints() {
   const step = useHints((hints) => hints.step);
   const ready = useDesign(({ state }) => state !== null);
   // A user who has brought a shape needs no hint for it.
-  const brought = useDesign(({ vertices, stencil }) => vertices.size > 0 || stencil !== null);
+  const brought = useDesign(({ vertices, surfaces }) => vertices.size > 0 || surfaces.size > 0);
   useEffect(() => {
     if (step === 0 && brought) goToHint(1);
   }, [step, brought]);

@@ -12,7 +12,7 @@ import { useLengths } from "../../shared/figures/unit";
 import { Dialog } from "../../shared/layers/Dialog";
 import { told } from "../../state/asking/problems";
 import { useDesign } from "../../state/design/design";
-import { baseName, isDrawing, type Opening, openAs, type Use, useFiles } from "../../state/files/files";
+import { baseName, isBegun, isDrawing, type Opening, openAs, type Use, useFiles } from "../../state/files/files";
 import { likeness } from "./likeness";
 import { RunOrDesign } from "./RunOrDesign";
 
@@ -46,7 +46,7 @@ function Asking({ opening }: { readonly opening: Opening }) {
   const [tolerance, setTolerance] = useState(0.1);
   const [use, setUse] = useState<Use>("stencil");
   const [busy, setBusy] = useState(false);
-  const filled = useDesign(({ vertices }) => vertices.size > 0);
+  const filled = useDesign(isBegun);
   const { length, bare, name } = useLengths();
   const surface = look.faces > 0 && look.seen !== "document";
   const drawing = isDrawing(opening.look.format);

@@ -15,7 +15,7 @@ export function Strand() {
 
 function State() {
   const { tool, strand, handle } = useView();
-  const stencil = useDesign((design) => design.stencil);
+  const stencil = useDesign(({ surfaces }) => surfaces.size > 0);
   if (tool === "select")
     return <p className="muted">Choose one of the two tools, then click in the view. Each click places a vertex.</p>;
   if (strand === null) {

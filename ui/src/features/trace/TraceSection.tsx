@@ -4,10 +4,11 @@ import { Field } from "../../shared/controls/Field";
 import { Checkbox, Segmented, Slider } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
 import { count, percent, roughly } from "../../shared/figures/format";
-import { edit, useDesign } from "../../state/design/design";
+import { type DesignState, useDesign } from "../../state/design/design";
 import { useSelection } from "../../state/design/selection";
 import { run } from "../../state/window/commands";
 import { keyOf } from "../../state/window/keys";
+import { useUi } from "../../state/window/ui";
 import {
   choosePlane,
   chooseTool,
@@ -33,10 +34,12 @@ const SNAPS: Readonly<Record<SnapKind, string>> = {
   plane: "Anywhere on the plane",
 };
 
-function Stencil() {
-  const stencil = useDesign((design) => design.stencil);
-  const { stencilShown, stencilOpacity } = useView();
-  if (!stencil) {
+const NO_STENCILS: DesignState["stencils"] = [];
+
+/** How the stencils are seen; what they are is in the section Parts. */
+function Stencils({ none }: { readonly none: string | null }) {
+  const { stencilsShown, stencilOpacity } = useView();
+  if (none !== null) {
     return (
       <div className="stack">
         <p className="muted">
@@ -55,7 +58,7 @@ function Stencil() {
       <Field label="Opacity">
         {() => (
           <Slider
-            label="Opacity of the stencil"
+            label="Opacity of the stencils"
             value={stencilOpacity}
             min={0.05}
             onChange={(value) => useView.setState({ stencilOpacity: value })}
@@ -65,17 +68,12 @@ function Stencil() {
       </Field>
       <div className="row wrap">
         <Button
-          icon={stencilShown ? "shown" : "hidden"}
-          onClick={() => useView.setState({ stencilShown: !stencilShown })}
+          icon={stencilsShown ? "shown" : "hidden"}
+          onClick={() => useView.setState({ stencilsShown: !stencilsShown })}
         >
-          {stencilShown ? "Hide" : "Show"}
+          {stencilsShown ? "Hide all" : "Show all"}
         </Button>
-        <Button icon="folder" onClick={() => run("open-stencil")}>
-          Another…
-        </Button>
-        <Button icon="trash" onClick={() => void edit({ edit: "remove-stencil" })}>
-          Remove
-        </Button>
+        <Button onClick={() => useUi.getState().showSection("parts")}>Place or remove…</Button>
       </div>
     </div>
   );
@@ -116,17 +114,18 @@ function Plane() {
 
 /** The surface that is traced on, what clicks snap to, and the strand that is being drawn. */
 export function TraceSection() {
-  const stencil = useDesign((design) => design.stencil);
   const { tool, snapKinds, grid, reach, planeOffset } = useView();
-  const name = useDesign((design) => design.state?.stencil ?? null);
-  const triangles = stencil ? stencil.triangles.length / 3 : 0;
-  const phrase = stencil
-    ? `${name ? `${name} · ` : ""}${roughly(triangles)} ${triangles === 1 ? "triangle" : "triangles"}`
-    : "no stencil";
+  const stencils = useDesign((design) => design.state?.stencils ?? NO_STENCILS).filter(({ surface }) => surface);
+  const faces = stencils.reduce((sum, { surface }) => sum + (surface?.faces ?? 0), 0);
+  const none = stencils.length === 0 ? "No stencil" : null;
+  const named = stencils.length === 1 ? stencils[0]?.name : count(stencils.length, "stencil");
+  const phrase = none
+    ? "no stencil"
+    : `${named ? `${named} · ` : ""}${roughly(faces)} ${faces === 1 ? "face" : "faces"}`;
   return (
     <Section id="trace" title="Trace" phrase={phrase}>
-      <Part title="Stencil" aside={stencil && <span className="muted">{count(triangles, "triangle")}</span>}>
-        <Stencil />
+      <Part title="Stencils" aside={none === null && <span className="muted">{count(faces, "face")}</span>}>
+        <Stencils none={none} />
       </Part>
       <Part title="Strand">
         <div className="row wrap">
@@ -167,7 +166,7 @@ export function TraceSection() {
               key={kind}
               checked={snapKinds.has(kind)}
               onChange={() => toggleSnap(kind)}
-              why={(kind === "surface" || kind.startsWith("stencil")) && !stencil ? "No stencil" : null}
+              why={kind === "surface" || kind.startsWith("stencil") ? none : null}
             >
               {SNAPS[kind]}
             </Checkbox>

@@ -1,6 +1,7 @@
 import type { EditRequest } from "../../generated/requests";
-import type { Moved, SceneListener, Stroke } from "../../scene/interface";
+import type { Moved, SceneListener, Stroke, Vec3 } from "../../scene/interface";
 import { checkDesign, edit, useDesign } from "../../state/design/design";
+import { placeStencil } from "../../state/design/parts";
 import { select } from "../../state/design/selection";
 import { settled } from "../../state/design/turns";
 import { openMenu } from "../../state/window/context_menu";
@@ -71,6 +72,7 @@ export function listenerOf(corner: () => { readonly left: number; readonly top: 
     dragging: (moved) => checkDesign(moved),
     dropped: (moved) => void dropped(moved),
     dragCancelled: () => checkDesign(),
+    stencilMoved,
     stroke,
     strandEnded: () => {
       ended += 1;
@@ -82,6 +84,11 @@ export function listenerOf(corner: () => { readonly left: number; readonly top: 
       openMenu("design", { x: left + x, y: top + y });
     },
   };
+}
+
+async function stencilMoved(id: number, by: Vec3): Promise<void> {
+  if (by.every((mm) => mm === 0)) return;
+  await placeStencil(id, ({ shift_mm: [x, y, z] = [0, 0, 0] }) => ({ shift_mm: [x + by[0], y + by[1], z + by[2]] }));
 }
 
 async function dropped(moved: readonly Moved[]): Promise<void> {

@@ -22,6 +22,7 @@ describe("marks", () => {
       edges: new Map(),
       odd: new Set(),
       doubled: new Set(),
+      colours: new Map(),
       start: null,
       checked: false,
     });

@@ -82,7 +82,7 @@ export function marksOf(check: LiveCheck | null): SceneMarks {
   }
   const [vertex, towards] = check?.wires.find(({ route }) => route.length > 1)?.route ?? [];
   const start = vertex === undefined || towards === undefined ? null : { vertex, towards };
-  return { vertices, edges, odd, doubled, start, checked: check !== null && isCompensated(check) };
+  return { vertices, edges, odd, doubled, colours: new Map(), start, checked: check !== null && isCompensated(check) };
 }
 
 /** More labels than these are no help. */

@@ -32,7 +32,7 @@ const EDGE: SceneDesign = {
 let end = () => {};
 
 beforeEach(() => {
-  useDesign.setState({ ...empty(), stencil: null, check: null });
+  useDesign.setState({ ...empty(), surfaces: new Map(), check: null });
   useView.setState({ tool: "select", viewName: "Perspective" });
   end = show(scene);
   frame.mockClear();

@@ -4,6 +4,7 @@ import type { Viewport as Scene } from "../../scene/viewport";
 import { lengthFormat } from "../../shared/figures/format";
 import { useDesign } from "../../state/design/design";
 import { useExact } from "../../state/design/exact";
+import { coloursOf, shownDesign } from "../../state/design/parts";
 import { useSelection } from "../../state/design/selection";
 import { useFiles } from "../../state/files/files";
 import { movedOf, usualScale } from "../../state/frame/figures";
@@ -25,6 +26,7 @@ import { drawnFrame } from "../frame/struts";
 import { drawnSequence, layersOf } from "../sequence/struts";
 import { dimensionsOf, NO_DIMENSIONS } from "./dimensions";
 import { labelsOf, marksOf } from "./marks";
+import { chosenOf, stencilsOf } from "./stencils";
 
 /** Calls `apply` now and whenever what `pick` gives has changed. */
 function follow<S>(
@@ -52,12 +54,12 @@ const isShownAsStruts = (): boolean => useShape.getState().view !== null || useS
 /** Keeps the view showing what the stores have, without drawing React anew; the function that is returned ends it. */
 export function show(scene: Scene): () => void {
   const labels = () => {
-    const { check, vertices, edges } = useDesign.getState();
+    const design = useDesign.getState();
     const { unit } = useUnits.getState();
     const figure = (report: DiagnosticReport) => measureText(report, unit);
     scene.setLabels(
       useView.getState().annotations && !isShownOnMachine() && !isShownAsStruts()
-        ? labelsOf(check, { vertices, edges }, figure)
+        ? labelsOf(design.check, shownDesign(design), figure)
         : [],
     );
   };
@@ -73,8 +75,8 @@ export function show(scene: Scene): () => void {
   let justOpened = false;
   // A user who begins to draw on nothing has chosen the view: it does not turn to the first edge.
   const drawsOnNothing = () => {
-    const { vertices, stencil } = useDesign.getState();
-    if (vertices.size > 0 || stencil !== null) return;
+    const { vertices, surfaces } = useDesign.getState();
+    if (vertices.size > 0 || surfaces.size > 0) return;
     justOpened = false;
     scene.frame();
   };
@@ -137,6 +139,10 @@ export function show(scene: Scene): () => void {
     const prediction = ofDesign ? predictedNow() : null;
     scene.setPlayedSpread(prediction ? playedBallsOf(prediction, wire, useDesign.getState().vertices) : []);
   };
+  const chosenStencil = () => {
+    const { state } = useDesign.getState();
+    scene.setChosenStencil(chosenOf(state?.stencils ?? [], useView.getState().chosenStencil));
+  };
   const theme = () => scene.setTheme(shownTheme(useUi.getState().theme));
   const system = systemTheme();
   system.addEventListener("change", theme);
@@ -144,23 +150,23 @@ export function show(scene: Scene): () => void {
     () => system.removeEventListener("change", theme),
     follow(
       useDesign,
-      ({ vertices, edges }) => [vertices, edges],
-      (design) => scene.setDesign(design),
+      ({ vertices, edges, state }) => [vertices, edges, state?.parts],
+      (design) => scene.setDesign(shownDesign(design)),
     ),
     follow(
       useDesign,
-      ({ check }) => [check],
-      ({ check }) => scene.setMarks(marksOf(check)),
+      ({ check, edges, state }) => [check, edges, state?.parts],
+      (design) => scene.setMarks({ ...marksOf(design.check), colours: coloursOf(design) }),
     ),
-    follow(useDesign, ({ check, vertices }) => [check, vertices], labels),
+    follow(useDesign, ({ check, vertices, state }) => [check, vertices, state?.parts], labels),
     follow(useDesign, ({ vertices, edges }) => [vertices, edges], dimensions),
     follow(useSelection, ({ vertices, edges }) => [vertices, edges], dimensions),
     follow(useView, (view) => [view.dimensions], dimensions),
     follow(useExact, (exact) => [exact.end, exact.side], dimensions),
     follow(
       useDesign,
-      ({ stencil }) => [stencil],
-      ({ stencil }) => scene.setStencil(stencil),
+      ({ state, surfaces }) => [state?.stencils, surfaces],
+      ({ state, surfaces }) => scene.setStencils(stencilsOf(state?.stencils ?? [], surfaces)),
     ),
     follow(
       useSelection,
@@ -197,10 +203,12 @@ export function show(scene: Scene): () => void {
         if (view.tool === "draw") scene.face(drawnPlane(view));
       },
     ),
+    follow(useDesign, ({ state }) => [state?.stencils], chosenStencil),
+    follow(useView, (view) => [view.chosenStencil], chosenStencil),
     follow(
       useView,
-      ({ stencilShown, stencilOpacity }) => [stencilShown, stencilOpacity],
-      (view) => scene.setStencilShown(view.stencilShown, view.stencilOpacity),
+      ({ stencilsShown, stencilOpacity }) => [stencilsShown, stencilOpacity],
+      (view) => scene.setStencilsShown(view.stencilsShown, view.stencilOpacity),
     ),
     follow(
       useView,
@@ -282,9 +290,9 @@ export function show(scene: Scene): () => void {
       // What is opened comes after this, in the same turn of the design's store.
       if (opened !== before.opened) justOpened = true;
     }),
-    useDesign.subscribe(({ vertices, stencil }, before) => {
-      if (!justOpened || (vertices === before.vertices && stencil === before.stencil)) return;
-      justOpened = vertices.size === 0 && stencil === null;
+    useDesign.subscribe(({ vertices, surfaces }, before) => {
+      if (!justOpened || (vertices === before.vertices && surfaces === before.surfaces)) return;
+      justOpened = vertices.size === 0 && surfaces.size === 0;
       if (!justOpened) showOpened();
       else if (useView.getState().tool !== "select") drawsOnNothing();
     }),

@@ -91,6 +91,13 @@ export interface TubeLook {
   readonly dim?: number;
 }
 
+/** A line over the picture: a rubber band, an axis that is locked, the side of a box. */
+export interface Guide {
+  readonly from: Vec3;
+  readonly to: Vec3;
+  readonly look: TubeLook;
+}
+
 export class Tubes {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   private readonly instances: Instances;

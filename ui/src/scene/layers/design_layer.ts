@@ -16,6 +16,7 @@ export const NO_MARKS: SceneMarks = {
   edges: new Map(),
   odd: new Set(),
   doubled: new Set(),
+  colours: new Map(),
   start: null,
   checked: false,
 };
@@ -79,7 +80,7 @@ export class DesignLayer {
     // find the red one.
     const verdict = marks.edges.get(id) ?? "fine";
     const look = {
-      colour: verdict === "fine" ? theme.edge : theme[verdict],
+      colour: verdict === "fine" ? (marks.colours.get(id) ?? theme.edge) : theme[verdict],
       width: WIDTHS[verdict],
       dim: this.removed.has(id) ? 0.72 : 0,
     };

@@ -13,6 +13,8 @@ export function areSame(a: SceneMarks, b: SceneMarks): boolean {
     verdicts(a.vertices, b.vertices) &&
     verdicts(a.edges, b.edges) &&
     ids(a.odd, b.odd) &&
-    ids(a.doubled, b.doubled)
+    ids(a.doubled, b.doubled) &&
+    a.colours.size === b.colours.size &&
+    [...a.colours].every(([id, colour]) => b.colours.get(id) === colour)
   );
 }

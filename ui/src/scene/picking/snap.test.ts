@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { shared } from "../drawing/shading";
-import type { SnapKind, SnapSettings, Vec3 } from "../interface";
-import { Stencil } from "../layers/stencil";
+import type { SceneStencil, SnapKind, SnapSettings, Vec3 } from "../interface";
+import { Stencils } from "../layers/stencils";
 import { designOf, drawn, projectionOf } from "../testing";
 import { inDirections, type SnapPlace, snap } from "./snap";
 
@@ -9,12 +9,19 @@ const ALL: SnapKind[] = ["vertex", "stencil-vertex", "stencil-edge", "edge", "su
 const settings = (kinds: SnapKind[] = ALL): SnapSettings => ({ kinds: new Set(kinds), grid: 10, reach: 8 });
 const NONE = { vertices: new Set<number>(), edges: new Set<number>() };
 
+const AS_IN_FILE: SceneStencil["matrix"] = [
+  [1, 0, 0, 0],
+  [0, 1, 0, 0],
+  [0, 0, 1, 0],
+];
+
 /** A square of 200 mm in the plane y = 0 with its diagonal, seen from the front; a pixel is a millimetre. */
-function square(): Stencil {
-  const stencil = new Stencil(shared());
+function square(change: Partial<SceneStencil> = {}): Stencils {
+  const stencils = new Stencils(shared());
   const positions = new Float32Array([-100, 0, -100, 100, 0, -100, 100, 0, 100, -100, 0, 100]);
-  stencil.show({ positions, triangles: new Uint32Array([0, 1, 2, 0, 2, 3]) });
-  return stencil;
+  const surface = { positions, triangles: new Uint32Array([0, 1, 2, 0, 2, 3]) };
+  stencils.show([{ id: 0, surface, matrix: AS_IN_FILE, colour: null, hidden: false, ...change }]);
+  return stencils;
 }
 
 const place = (change: Partial<SnapPlace> = {}): SnapPlace => ({
@@ -37,6 +44,35 @@ const place = (change: Partial<SnapPlace> = {}): SnapPlace => ({
 
 const kindAt = (x: number, z: number, kinds?: SnapKind[], change?: Partial<SnapPlace>): SnapKind | undefined =>
   snap(place(change), settings(kinds), 400 + x, 300 - z)?.kind;
+
+describe("a stencil that is placed", () => {
+  /** Half as large, a quarter turn about y, and 60 mm to the right. */
+  const matrix: SceneStencil["matrix"] = [
+    [0, 0, 0.5, 60],
+    [0, 0.5, 0, 0],
+    [-0.5, 0, 0, 0],
+  ];
+
+  it("is traced where it lies", () => {
+    const change = { stencil: square({ matrix }) };
+    expect(kindAt(108, 48, undefined, change)).toBe("stencil-vertex");
+    expect(snap(place(change), settings(), 508, 252)?.at.map(Math.round)).toEqual([110, 0, 50]);
+    expect(kindAt(109, 20, undefined, change)).toBe("stencil-edge");
+    expect(kindAt(-50, -60, undefined, change)).not.toBe("surface");
+  });
+
+  it("is not met while it is hidden", () => {
+    expect(kindAt(-50, -60, ["surface"], { stencil: square({ hidden: true }) })).toBeUndefined();
+  });
+
+  it("goes on being the same surface while it is dragged, and comes back", () => {
+    const stencil = square();
+    stencil.shift(0, [300, 0, 0]);
+    expect(kindAt(-50, -60, ["surface"], { stencil })).toBeUndefined();
+    stencil.shift(0, [0, 0, 0]);
+    expect(kindAt(-50, -60, ["surface"], { stencil })).toBe("surface");
+  });
+});
 
 describe("what comes first", () => {
   it("is a vertex, then the stencil's own corners and rims, then edges, then its surface", () => {

@@ -7,6 +7,23 @@ import { add, along, dot, inPlane, middle, onPlane, planeAngle, scale, subtract 
 import type { Projection } from "../view/projection";
 import { pickEdge, pickVertex } from "./picking";
 
+/** Until a person has chosen otherwise. */
+export const DEFAULT_SNAP: SnapSettings = {
+  kinds: new Set([
+    "vertex",
+    "stencil-vertex",
+    "stencil-edge",
+    "edge-middle",
+    "edge",
+    "surface",
+    "angle",
+    "grid",
+    "plane",
+  ]),
+  grid: 10,
+  reach: 10,
+};
+
 /** Between the directions that an edge is kept to, degrees. */
 const STEP = 15;
 

@@ -20,6 +20,7 @@ const listener = {
   dropped: vi.fn(),
   dragging: vi.fn(),
   dragCancelled: vi.fn(),
+  stencilMoved: vi.fn(async () => {}),
   hovered: vi.fn(),
   selected: vi.fn(),
   menu: vi.fn(),

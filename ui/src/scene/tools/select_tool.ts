@@ -7,7 +7,7 @@ import { type Box, type Combine, combine, inBox, touching } from "../picking/box
 import { type Picked, pick } from "../picking/picking";
 import { snap } from "../picking/snap";
 import type { Stage } from "../stage";
-import { AXES, along, distance, length } from "../vec";
+import { AXES, along, distance, length, ORIGIN } from "../vec";
 import { type Handle, handleAt } from "./gizmo_parts";
 import { Grab, type Surroundings } from "./grab";
 import { FREE } from "./move";
@@ -22,6 +22,8 @@ export class SelectTool implements ToolHandler {
   grab: Grab | null = null;
   private pressed: { at: Place; picked: Picked | null; handle: Handle | null } | null = null;
   private box: Box | null = null;
+  /** The stencil that the grab moves; null where it moves vertices. */
+  private stencil: number | null = null;
   private hovered = "";
   private last: Place = { x: 0, y: 0, shift: false, ctrl: false, touch: false };
 
@@ -144,7 +146,8 @@ export class SelectTool implements ToolHandler {
   /** What is being moved is given up where the design has it elsewhere now, or not any more; otherwise it stays in the hand. */
   designChanged(): void {
     const { grab, stage } = this;
-    if (!grab) return;
+    // A stencil stays in the hand whatever becomes of the wire.
+    if (!grab || this.stencil !== null) return;
     const stays = [...grab.from].every(([id, from]) => {
       const at = stage.design.place(id);
       return at !== null && distance(at, from) < SAME;
@@ -162,6 +165,7 @@ export class SelectTool implements ToolHandler {
     }
     if (!this.grab) return false;
     this.end();
+    this.stage.moveStencil(ORIGIN);
     this.stage.move([]);
     this.listener.dragCancelled();
     return true;
@@ -170,12 +174,16 @@ export class SelectTool implements ToolHandler {
   private begin(at: Place, constraint: Handle | typeof FREE, anchor: Vec3 | null): void {
     const { stage } = this;
     const { design, projection } = stage;
-    const from = new Map(
-      [...design.moving(stage.selected.selection)].flatMap((id) => {
-        const place = design.place(id);
-        return place ? [[id, place] as const] : [];
-      }),
-    );
+    const chosen = stage.stencilInHand;
+    this.stencil = chosen?.id ?? null;
+    const from = chosen
+      ? new Map([[chosen.id, chosen.middle] as const])
+      : new Map(
+          [...design.moving(stage.selected.selection)].flatMap((id) => {
+            const place = design.place(id);
+            return place ? [[id, place] as const] : [];
+          }),
+        );
     // The vertex nearest to where the drag began is the one that snaps.
     const off = (place: Vec3): number => {
       const seen = projection.seen(place);
@@ -211,6 +219,10 @@ export class SelectTool implements ToolHandler {
     stage.activate(grab.constraint.kind === "view" ? null : grab.constraint);
     this.overlay.readout(grab.readout);
     if (distance(before, grab.by) === 0) return;
+    if (this.stencil !== null) {
+      stage.moveStencil(grab.by);
+      return;
+    }
     stage.move(grab.moved);
     this.listener.dragging(grab.moved);
   }
@@ -220,8 +232,10 @@ export class SelectTool implements ToolHandler {
     const { design, projection } = stage;
     const kinds = new Set<SnapKind>([...stage.snap.kinds].filter((kind) => kind !== "grid" && kind !== "plane"));
     const settings = { ...stage.snap, kinds };
-    const without = { vertices: new Set(grab.from.keys()), edges: new Set<number>() };
-    const stencil = stage.stencil.ball ? stage.stencil : null;
+    const moving = this.stencil === null ? grab.from.keys() : [];
+    const without = { vertices: new Set(moving), edges: new Set<number>() };
+    // A stencil that is moved would snap to itself.
+    const stencil = stage.stencils.empty || this.stencil !== null ? null : stage.stencils;
     const show = (kind: SnapKind, at: Vec3): void =>
       void signs.push({ at, shape: SNAP_SHAPES[kind], colour: stage.theme.acted, radius: 8 });
     return {
@@ -247,13 +261,17 @@ export class SelectTool implements ToolHandler {
     const { grab } = this;
     if (!grab) return;
     this.follow();
+    const { stencil } = this;
     this.end();
-    if (length(grab.by) > 0) this.listener.dropped(grab.moved);
+    if (stencil !== null) {
+      void this.listener.stencilMoved(stencil, grab.by).finally(() => this.stage.moveStencil(ORIGIN));
+    } else if (length(grab.by) > 0) this.listener.dropped(grab.moved);
     else this.listener.dragCancelled();
   }
 
   private end(): void {
     this.grab = null;
+    this.stencil = null;
     this.stage.mark("grab", []);
     this.stage.activate(null);
     this.overlay.readout(null);

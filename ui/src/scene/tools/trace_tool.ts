@@ -1,11 +1,12 @@
 /** Tracing on a surface and drawing on a plane: where the next click would go is shown before it, and strands grow click by click. */
 
 import { type Sign, SNAP_SHAPES } from "../drawing/symbols";
+import type { Guide } from "../drawing/tubes";
 import type { DrawingPlane, SceneListener, SnapKind } from "../interface";
 import { GROUND } from "../layers/grid";
 import type { Overlay } from "../layers/overlay";
 import { inDirections, type SnapTarget, snap } from "../picking/snap";
-import type { Guide, Stage } from "../stage";
+import type { Stage } from "../stage";
 import { middle } from "../vec";
 import type { Place, ToolHandler } from "./pointer";
 import { type Asked, Strand } from "./strand";
@@ -182,7 +183,7 @@ export class TraceTool implements ToolHandler {
     const place = {
       design: stage.design,
       projection: stage.projection,
-      stencil: drawing || !stage.stencil.ball ? null : stage.stencil,
+      stencil: drawing || stage.stencils.empty ? null : stage.stencils,
       plane: stage.plane,
       without,
     };

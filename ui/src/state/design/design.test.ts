@@ -11,14 +11,13 @@ import { edit, redo, showDesign, undo, useDesign } from "./design";
 import { inTurn, replacingDesign } from "./turns";
 
 const view = (given: Partial<DesignView> = {}): DesignView =>
-  ({ state: state(), vertices: [], edges: [], stencil: null, ...given }) as DesignView;
+  ({ state: state(), vertices: [], edges: [], ...given }) as DesignView;
 const made = (x: number): EditMade => {
   const change: Partial<ViewChange> = {
     vertices: [{ id: 0, at_mm: [x, 0, 0], support: false }],
     edges: [],
     gone_vertices: [],
     gone_edges: [],
-    stencil: false,
     state: state({ name: `${x}` }),
   };
   return { change: change as ViewChange, notes: [] };
@@ -40,7 +39,14 @@ beforeEach(() => {
     (ask: string) => new Promise((answer, refuse) => answers.push({ ask, answer, refuse })),
   );
   platform.stencilMesh.mockReset();
-  useDesign.setState({ vertices: new Map(), edges: new Map(), state: state(), stencil: null, check: null, notes: [] });
+  useDesign.setState({
+    vertices: new Map(),
+    edges: new Map(),
+    state: state(),
+    surfaces: new Map(),
+    check: null,
+    notes: [],
+  });
   useProblems.setState({ problems: [] });
 });
 
@@ -86,25 +92,49 @@ describe("changes", () => {
   });
 });
 
-describe("the stencil", () => {
+/** A stencil whose surface has so many faces. */
+const stencil = (id: number) => ({ id, surface: { faces: 1 } }) as unknown as DesignView["state"]["stencils"][number];
+const triangle = () => {
+  const bytes = new ArrayBuffer(8 + 3 * 12 + 12);
+  new Uint32Array(bytes, 0, 2).set([3, 1]);
+  return bytes;
+};
+
+describe("stencils", () => {
+  it("are read once each, and forgotten when they are gone", async () => {
+    platform.stencilMesh.mockImplementation(async () => triangle());
+    await showDesign(view({ state: state({ stencils: [stencil(0)] }) }), []);
+    const first = useDesign.getState().surfaces.get(0);
+    expect(first?.triangles.length).toBe(3);
+    const answer = async (stencils: DesignView["state"]["stencils"]) => {
+      const asked = edit({ edit: "remove-stencil", stencil: 0 });
+      await turns();
+      answers.at(-1)?.answer({ ...made(0), change: { ...made(0).change, state: state({ stencils }) } });
+      await asked;
+    };
+    await answer([stencil(0), stencil(1)]);
+    expect(useDesign.getState().surfaces.get(0)).toBe(first);
+    expect(platform.stencilMesh.mock.calls).toEqual([[0], [1]]);
+    await answer([stencil(1)]);
+    await answer([stencil(0), stencil(1)]);
+    expect(platform.stencilMesh.mock.calls).toEqual([[0], [1], [0]]);
+  });
+
   it("of a design that was shown before does not come over the next one", async () => {
     let first: (bytes: ArrayBuffer) => void = () => {};
     platform.stencilMesh.mockImplementationOnce(() => new Promise((resolve) => (first = resolve)));
-    const stencil = { faces: 1 } as unknown as DesignView["stencil"];
-    const shown = [inTurn(() => showDesign(view({ stencil }), [])), inTurn(() => showDesign(view(), []))];
+    const before = view({ state: state({ stencils: [stencil(0)] }) });
+    const shown = [inTurn(() => showDesign(before, [])), inTurn(() => showDesign(view(), []))];
     await turns();
     first(new Uint32Array([0, 0]).buffer);
     await Promise.all(shown);
-    expect(useDesign.getState().stencil).toBeNull();
+    expect(useDesign.getState().surfaces.size).toBe(0);
   });
 
   it("that cannot be read is reported, and the design is there", async () => {
     platform.stencilMesh.mockRejectedValue(new Error("The window does not answer."));
-    await showDesign(
-      view({ state: state({ name: "B" }), stencil: { faces: 1 } as unknown as DesignView["stencil"] }),
-      [],
-    );
-    expect(useDesign.getState()).toMatchObject({ state: { name: "B" }, stencil: null });
+    await showDesign(view({ state: state({ name: "B", stencils: [stencil(0)] }) }), []);
+    expect(useDesign.getState()).toMatchObject({ state: { name: "B" }, surfaces: new Map() });
     expect(useProblems.getState().problems.map(({ message }) => message)).toEqual(["The window does not answer."]);
   });
 });

@@ -10,17 +10,18 @@ import type {
   ViewChange,
 } from "../../generated/responses";
 import { platform } from "../../platform";
-import type { Moved, SceneDesign, SceneEdge, SceneStencil, SceneVertex } from "../../scene/interface";
+import type { Moved, SceneDesign, SceneEdge, SceneSurface, SceneVertex } from "../../scene/interface";
 import { tell, told } from "../asking/problems";
 import { inTurn, isBeingReplaced } from "./turns";
 
-/** All of the design but vertices, edges and the stencil. */
+/** All of the design but vertices, edges and surfaces. */
 export type DesignState = DesignView["state"];
 
 /** The open design as the window has it: a copy of what the Rust side has. */
 export interface DesignStore extends SceneDesign {
   readonly state: DesignState | null;
-  readonly stencil: SceneStencil | null;
+  /** Of the stencils of `state`, by id. */
+  readonly surfaces: ReadonlyMap<number, SceneSurface>;
   /** What the checks say of it as it is, or of where it is dragged to, collisions included as far as they are known. Null before the first answer, or without a machine. */
   readonly check: LiveCheck | null;
   /** The same without collisions, and which vertices were dragged for it. */
@@ -48,7 +49,7 @@ export const useDesign = create<DesignStore>()(() => ({
   vertices: new Map<number, SceneVertex>(),
   edges: new Map<number, SceneEdge>(),
   state: null,
-  stencil: null,
+  surfaces: new Map<number, SceneSurface>(),
   ...UNCHECKED,
   version: 0,
   notes: [],
@@ -68,10 +69,10 @@ export async function showDesign(view: DesignView, notes: readonly NoteReport[])
   const edges = new Map(view.edges.map((edge) => [edge.id, edge] as const));
   shown += 1;
   const version = useDesign.getState().version + 1;
-  useDesign.setState({ vertices, edges, state: view.state, notes, stencil: null, version, ...UNCHECKED });
+  useDesign.setState({ vertices, edges, state: view.state, notes, surfaces: new Map(), version, ...UNCHECKED });
   // What was dragged was of the design before.
   wanted = null;
-  if (view.stencil) await readStencil();
+  await readSurfaces();
 }
 
 /** Brings the copy up to date with a change; what is not named in it stays the same object. It is called in its turn. */
@@ -80,7 +81,7 @@ export async function applyChange(change: ViewChange): Promise<void> {
   const newVertices = withChanges(vertices, change.vertices.map(seen), change.gone_vertices);
   const newEdges = withChanges(edges, change.edges, change.gone_edges);
   useDesign.setState({ vertices: newVertices, edges: newEdges, state: change.state, version: version + 1 });
-  if (change.stencil) await readStencil();
+  await readSurfaces();
   checkDesign();
 }
 
@@ -97,13 +98,22 @@ function withChanges<T extends { readonly id: number }>(
   return after;
 }
 
-async function readStencil(): Promise<void> {
-  const bytes = await told(platform.stencilMesh());
-  useDesign.setState({ stencil: bytes && stencilOf(bytes) });
+/** Reads the surfaces that are new, and forgets those that are gone: an id that comes back may be another surface. */
+async function readSurfaces(): Promise<void> {
+  const { state, surfaces } = useDesign.getState();
+  const there = state?.stencils.filter(({ surface }) => surface !== null) ?? [];
+  if (there.length === surfaces.size && there.every(({ id }) => surfaces.has(id))) return;
+  const read = new Map<number, SceneSurface>();
+  for (const { id } of there) {
+    const known = surfaces.get(id);
+    const surface = known ?? (await told(platform.stencilMesh(id).then(surfaceOf)));
+    if (surface) read.set(id, surface);
+  }
+  useDesign.setState({ surfaces: read });
 }
 
 /** The layout is that of `Workspace::stencil_mesh`. */
-function stencilOf(bytes: ArrayBuffer): SceneStencil | null {
+function surfaceOf(bytes: ArrayBuffer): SceneSurface | null {
   if (bytes.byteLength === 0) return null;
   const [corners = 0, triangles = 0] = new Uint32Array(bytes, 0, 2);
   return {
@@ -133,6 +143,14 @@ async function changed(ask: () => Promise<EditMade>): Promise<ViewChange | null>
 /** Makes a change; null where it was refused, which the person has been shown. */
 export function edit(request: EditRequest): Promise<ViewChange | null> {
   return changed(() => platform.ask("edit", { request }));
+}
+
+/** The same with a change that depends on how the design is when its turn comes; none where that is null. */
+export function editAsItIs(request: (design: DesignStore) => EditRequest | null): Promise<ViewChange | null> {
+  return changed(async () => {
+    const made = request(useDesign.getState());
+    return made ? platform.ask("edit", { request: made }) : { change: null, notes: [] };
+  });
 }
 
 export async function undo(): Promise<void> {

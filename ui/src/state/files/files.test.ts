@@ -22,14 +22,21 @@ import { mayLeave, newDesign, openPath, restore, save, saveAs, useFiles } from "
 /** The Rust side, as far as it is asked here: whether its design is changed, and what it is called. */
 const rust = { changed: false, name: "A" };
 const view = () => ({
-  state: { changed: rust.changed, name: rust.name, file: "/there/a.wirebend", machine: null, units: "mm" },
+  state: {
+    changed: rust.changed,
+    name: rust.name,
+    file: "/there/a.wirebend",
+    machine: null,
+    units: "mm",
+    stencils: [],
+    parts: [],
+  },
   vertices: [],
   edges: [],
-  stencil: null,
 });
 const opened = () => ({ design: view(), notes: [], recent: [] });
 const changed = () => ({
-  change: { vertices: [], edges: [], gone_vertices: [], gone_edges: [], stencil: false, state: view().state },
+  change: { vertices: [], edges: [], gone_vertices: [], gone_edges: [], state: view().state },
   notes: [],
 });
 

@@ -5,7 +5,7 @@ import { type FileKind, platform } from "../../platform";
 import { errorText } from "../../platform/error_text";
 import { tell, told } from "../asking/problems";
 import { asking } from "../asking/work";
-import { applyChange, checkDesign, edit, showDesign, useDesign, whyNoChange } from "../design/design";
+import { applyChange, checkDesign, type DesignStore, edit, showDesign, useDesign, whyNoChange } from "../design/design";
 import { inTurn, replacingDesign, settled } from "../design/turns";
 import { loadRunFile, openRunFile } from "../program/run_file";
 import { useUi } from "../window/ui";
@@ -181,12 +181,16 @@ export function isDrawing(format: string): boolean {
 /** What becomes of a surface. */
 export type Use = "stencil" | "edges" | "both";
 
+/** Whether there is something that a stencil would come to: a wire, or another stencil. */
+export const isBegun = ({ vertices, state }: Pick<DesignStore, "vertices" | "state">): boolean =>
+  vertices.size > 0 || (state?.stencils.length ?? 0) > 0;
+
 /** Opens what was looked into as the person says; false where it came to nothing, and the question stays. */
 export async function openAs(design: DesignInput, use: Use | null): Promise<boolean> {
   const { opening } = useFiles.getState();
   const name = opening ? baseName(opening.path) : "";
-  if (use === "stencil" && useDesign.getState().vertices.size > 0) {
-    // The wires that are there are kept: the surface comes under them.
+  if (use === "stencil" && isBegun(useDesign.getState())) {
+    // What is there is kept: the surface comes beside it.
     const put = await reading(name, () => putStencil(design));
     if (put) useView.getState().handle?.frame();
     return put;
@@ -198,7 +202,10 @@ export async function openAs(design: DesignInput, use: Use | null): Promise<bool
   );
   if (!done) return false;
   useFiles.setState({ opening: null });
-  if (use === "edges" && useDesign.getState().stencil) await edit({ edit: "remove-stencil" });
+  if (use === "edges") {
+    for (const { id } of useDesign.getState().state?.stencils ?? [])
+      await edit({ edit: "remove-stencil", stencil: id });
+  }
   return true;
 }
 

@@ -1,5 +1,6 @@
 import { redo, undo, useDesign, whyNoChange } from "../design/design";
 import * as operations from "../design/operations";
+import { shownDesign } from "../design/parts";
 import { connected, inverted, isEmpty, NOTHING, select, useSelection } from "../design/selection";
 import { quit } from "../files/closing";
 import { newDesign, pickDesign, pickStencil, save, saveAs, saveJob, saveWireframe, useFiles } from "../files/files";
@@ -82,7 +83,7 @@ function view(side: Side): Command {
 }
 
 function selectAll(): void {
-  const design = useDesign.getState();
+  const design = shownDesign(useDesign.getState());
   select(design.vertices.keys(), design.edges.keys());
 }
 
@@ -151,7 +152,7 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
   },
   invert: {
     run: () => {
-      const others = inverted(useSelection.getState(), useDesign.getState());
+      const others = inverted(useSelection.getState(), shownDesign(useDesign.getState()));
       select(others.vertices, others.edges);
     },
     why: anything,

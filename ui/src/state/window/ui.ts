@@ -2,7 +2,18 @@ import { create } from "zustand";
 import type { DisplayUnit } from "./units";
 
 /** The sections of the panel, in the order of the work. */
-const SECTIONS = ["trace", "edit", "check", "animate", "frame", "sequence", "machine", "export", "run"] as const;
+const SECTIONS = [
+  "parts",
+  "trace",
+  "edit",
+  "check",
+  "animate",
+  "frame",
+  "sequence",
+  "machine",
+  "export",
+  "run",
+] as const;
 export type SectionId = (typeof SECTIONS)[number];
 
 export type Theme = "system" | "dark" | "light";

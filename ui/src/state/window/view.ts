@@ -3,7 +3,7 @@ import type { Axis, DrawingPlane, Hovered, Preview, Selection, SnapKind, Tool, V
 import { useDesign } from "../design/design";
 import { planeThrough } from "../design/geometry";
 import { surroundings, verticesOf } from "../design/selecting";
-import { useSelection } from "../design/selection";
+import { select, useSelection } from "../design/selection";
 import { store, stored } from "./ui";
 import { type DisplayUnit, useUnits } from "./units";
 
@@ -55,9 +55,11 @@ interface ViewStore {
   readonly ownPlane: OwnPlane | null;
   /** How far the plane is from the origin, or from where it was put, mm. */
   readonly planeOffset: number;
-  readonly stencilShown: boolean;
+  readonly stencilsShown: boolean;
   /** From 0 to 1. */
   readonly stencilOpacity: number;
+  /** The stencil that is placed: by its fields, and by the gizmo where nothing is selected. */
+  readonly chosenStencil: number | null;
   /** Whether places that the checks name are written on in the view. */
   readonly annotations: boolean;
   /** Whether the lengths of all edges and the angles between them are written in the view. */
@@ -95,8 +97,9 @@ export const useView = create<ViewStore>()(() => ({
   plane: "xy",
   ownPlane: null,
   planeOffset: 0,
-  stencilShown: true,
+  stencilsShown: true,
   stencilOpacity: 0.45,
+  chosenStencil: null,
   annotations: stored("wirebend.annotations") !== "off",
   dimensions: stored("wirebend.dimensions") === "on",
   viewName: "Perspective",
@@ -114,6 +117,12 @@ export function gridFollows(unit: DisplayUnit, before: DisplayUnit): void {
 export function chooseTool(tool: Tool): void {
   useView.getState().handle?.cancel();
   useView.setState({ tool, strand: null });
+}
+
+/** Chooses a stencil to place; the wire is not selected meanwhile. */
+export function chooseStencil(chosenStencil: number | null): void {
+  if (chosenStencil !== null) select([]);
+  useView.setState({ chosenStencil });
 }
 
 export function toggleSnap(kind: SnapKind): void {
@@ -189,9 +198,9 @@ const FLAT = 0.001;
 /** The plane of the axes that a flat design lies in; null of one that is not flat, has a stencil, or is a line, which lies in several. */
 export function planeOfAll({
   vertices,
-  stencil,
-}: Pick<ReturnType<typeof useDesign.getState>, "vertices" | "stencil">): DrawingPlane | null {
-  if (stencil !== null || vertices.size === 0) return null;
+  surfaces,
+}: Pick<ReturnType<typeof useDesign.getState>, "vertices" | "surfaces">): DrawingPlane | null {
+  if (surfaces.size > 0 || vertices.size === 0) return null;
   const extent = [0, 1, 2].map((axis) => {
     const places = [...vertices.values()].map(({ at }) => at[axis] ?? 0);
     const least = places.reduce((a, b) => Math.min(a, b), Infinity);

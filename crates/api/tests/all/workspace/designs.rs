@@ -22,7 +22,7 @@ fn every_example_opens() {
         assert_eq!(opened["design"]["state"]["changed"], false, "{id}");
         assert_eq!(opened["design"]["state"]["machine"], "wirebend-kit", "{id}");
         if id == "bunny-stencil" {
-            assert_eq!((edges, opened["design"]["stencil"].is_array()), (0, true));
+            assert_eq!((edges, opened["design"]["state"]["stencils"][0]["surface"].is_object()), (0, true));
         } else {
             assert_eq!(edges, lines.len(), "{id}");
         }
@@ -56,12 +56,12 @@ fn a_look_tells_size_and_whether_units_are_open() {
 fn a_stencil_is_put_into_the_design_and_drawn_as_triangles() {
     let window = Window::new();
     window.ask("open-example", json!({"id": "house"}));
-    assert!(window.workspace.stencil_mesh().is_empty());
+    assert!(window.workspace.stencil_mesh(0).is_empty());
     let path = window.file("quad.obj", b"v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 3\nf 1 2 3 4\nf 1 2 3\n");
     let put = window.ask("put-stencil", file(&path));
-    assert_eq!(put["change"]["stencil"], true);
-    assert_eq!(put["change"]["state"]["undo"], "stencil");
-    let mesh = window.workspace.stencil_mesh();
+    assert_eq!(put["change"]["state"]["stencils"][0]["name"], "quad.obj");
+    assert_eq!(put["change"]["state"]["undo"], "add stencil");
+    let mesh = window.workspace.stencil_mesh(0);
     assert_eq!(triangles(&mesh), (4, 3));
     assert_eq!(mesh.len(), 8 + 4 * 12 + 3 * 12);
     let last: Vec<u32> =
@@ -71,12 +71,12 @@ fn a_stencil_is_put_into_the_design_and_drawn_as_triangles() {
     let saved = window.home.path().join("with.wirebend");
     window.ask("save", json!({"path": saved}));
     window.ask("undo", json!({}));
-    assert!(window.workspace.stencil_mesh().is_empty());
+    assert!(window.workspace.stencil_mesh(0).is_empty());
     window.ask("open", file(&saved));
-    assert_eq!(triangles(&window.workspace.stencil_mesh()), (4, 3));
+    assert_eq!(triangles(&window.workspace.stencil_mesh(0)), (4, 3));
     // Of a design whose stencil is in a file that is gone, it is that file which is reported.
     let mut naming: Value = serde_json::from_slice(&std::fs::read(&saved).unwrap()).unwrap();
-    naming["stencil"] = json!({"file": {"path": "gone.stl", "sha256": "0".repeat(64)}});
+    naming["stencils"][0]["surface"] = json!({"file": {"path": "gone.stl", "sha256": "0".repeat(64)}});
     let naming = window.file("naming.wirebend", naming.to_string().as_bytes());
     let refused = window.try_ask("put-stencil", file(&naming)).unwrap_err();
     assert!(refused.code == "stencil-missing" && refused.message.contains("gone.stl"), "{refused:?}");

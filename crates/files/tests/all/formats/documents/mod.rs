@@ -2,20 +2,23 @@
 
 mod jobs;
 mod schemas;
+mod stencils;
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io::Write as _;
+use std::sync::Arc;
 
 use expect_test::expect;
 use nalgebra::Point3;
 use proptest::prelude::*;
 use serde_json::json;
-use wirebend_core::mesh::Stencil;
+use wirebend_core::mesh::{Placement, Stencil};
 use wirebend_core::wireframe::{Edge, EdgeId, Joint, JointKind, NextIds, Vertex, VertexId, Wireframe};
 use wirebend_error::ErrorRemedy;
 use wirebend_files::document::{
-    Document, Job, PausePoint, Pin, PinTarget, ProfileSnapshot, SourceFile, StencilSource, Walk, WireCount,
-    sha256_hex,
+    Document, Job, Look, PartLook, PausePoint, Pin, PinTarget, ProfileSnapshot, SourceFile, StencilSource,
+    Walk, WireCount, sha256_hex,
 };
 use wirebend_files::read::{Format, LengthUnit, ReadOptions, read};
 
@@ -32,7 +35,9 @@ fn example() -> Document {
     wireframe.reserve_ids(NextIds { vertex: 12, edge: 9 });
     Document {
         wireframe,
-        stencil: None,
+        stencils: Vec::new(),
+        surfaces: BTreeMap::new(),
+        parts: vec![PartLook { edge: other, look: Look { hidden: true, ..look("left arm") } }],
         machine: Some(ProfileSnapshot {
             id: "wirebend-kit".into(),
             snapshot: json!({"limit_mm": 20.4, "name": "<ä>"}),
@@ -75,6 +80,12 @@ fn a_document_is_laid_out_for_people() {
               {"id": 1, "a": 1, "b": 7}
             ]
           },
+          "parts": [
+            {
+              "edge": 1,
+              "look": {"name": "left arm", "hidden": true}
+            }
+          ],
           "machine": {
             "id": "wirebend-kit",
             "snapshot": {
@@ -126,23 +137,33 @@ fn a_document_is_laid_out_for_people() {
     .assert_eq(&text);
 }
 
-/// Of an older document: without a name.
+fn look(name: &str) -> Look {
+    Look { name: name.to_owned(), ..Look::default() }
+}
+
 fn embedded(surface: Stencil) -> StencilSource {
-    StencilSource::Embedded { surface, name: String::new() }
+    StencilSource::Embedded(Arc::new(surface))
+}
+
+fn with_stencil(name: &str, surface: Stencil) -> Document {
+    let mut document = Document::default();
+    document.add_stencil(name.to_owned(), embedded(surface));
+    document
 }
 
 #[test]
 fn a_document_comes_back_as_it_was() {
     let mut document = example();
-    for stencil in [
-        None,
-        Some(StencilSource::File { path: "bunny.obj".into(), sha256: sha256_hex(b"bunny") }),
-        Some(embedded(Stencil::default())),
-        import_data("bend-forming/Teapot_123Faces_Final.obj", &ReadOptions::default())
-            .stencil
-            .map(|surface| StencilSource::Embedded { surface, name: "Teapot.obj".into() }),
+    let teapot = import_data("bend-forming/Teapot_123Faces_Final.obj", &ReadOptions::default());
+    for (name, surface) in [
+        ("", StencilSource::File { path: "bunny.obj".into(), sha256: sha256_hex(b"bunny") }),
+        ("nothing", embedded(Stencil::default())),
+        ("Teapot.obj", embedded(teapot.stencil.unwrap())),
     ] {
-        document.stencil = stencil;
+        document.add_stencil(name.to_owned(), surface);
+        let last = document.stencils.last_mut().unwrap();
+        last.placement = Placement::new([0.1, -20.0, 1.0 / 3.0], [0.0, 45.0, 1e-17], 25.4).unwrap();
+        last.look.colour = Some("#c07830".parse().unwrap());
         let bytes = document.to_bytes().unwrap();
         let back = Document::open(&bytes, "a.wirebend").unwrap();
         assert_eq!(back, document);
@@ -173,7 +194,7 @@ fn an_empty_document_is_called_empty() {
 fn a_packed_stencil_is_small() {
     let bunny =
         import_data("bend-forming/BunnyPolygonScaled_v2.obj", &ReadOptions::default()).stencil.unwrap();
-    let document = Document { stencil: Some(embedded(bunny)), ..Document::default() };
+    let document = with_stencil("bunny.obj", bunny);
     assert!(document.to_bytes().unwrap().len() < 4000);
 }
 
@@ -205,6 +226,7 @@ fn what_is_no_document_is_refused_with_advice() {
         with("\"start\": 1", "\"start\": 3"),
         with("\"vertex\": 0", "\"vertex\": 3"),
         with("\"edge\": 0", "\"edge\": 3"),
+        with("\"edge\": 1", "\"edge\": 3"),
         with("\"vertex\": 1", "\"vertex\": 3"),
         with("\"pass\": 2", "\"pass\": 0"),
         with("turn the part", " "),
@@ -217,18 +239,19 @@ fn what_is_no_document_is_refused_with_advice() {
         document-newer: a.wirebend: its version 2 is newer than 1, the newest known here [UpdateProgram]
         document-no-such-version: a.wirebend: there is no version 0 of this format: the file is damaged [UseLastCopy]
         document-wrong-format: a.wirebend: this is a "wbjob" file, expected "wirebend" [OpenAsItIs]
-        document-json: a.wirebend, line 28, column 12: unknown field `doubling`, expected one of `format`, `version`, `wireframe`, `stencil`, `machine`, `material`, `doublings`, `start`, `wires`, `closed`, `reversed`, `walks`, `pins`, `pauses`, `notes`, `units`, `source` [UseLastCopy]
+        document-json: a.wirebend, line 34, column 12: unknown field `doubling`, expected one of `format`, `version`, `wireframe`, `stencils`, `stencil`, `parts`, `machine`, `material`, `doublings`, `start`, `wires`, `closed`, `reversed`, `walks`, `pins`, `pauses`, `notes`, `units`, `source` [UseLastCopy]
         document-wireframe: a.wirebend: vertex 1 exists already [UseLastCopy]
         document-wireframe: a.wirebend: (30, 0.3333333333333333, 9999999) is not a position: each coordinate must be a number within ±1 000 000 mm [UseLastCopy]
         document-wireframe: a.wirebend: there is no vertex 99 [UseLastCopy]
         document-dangling: a.wirebend: "start" names vertex 3, which is not in the wireframe [UseLastCopy]
         document-dangling: a.wirebend: "pins" names vertex 3, which is not in the wireframe [UseLastCopy]
         document-dangling: a.wirebend: "pins" names edge 3, which is not in the wireframe [UseLastCopy]
+        document-dangling: a.wirebend: "parts" names edge 3, which is not in the wireframe [UseLastCopy]
         document-dangling: a.wirebend: "pauses" names vertex 3, which is not in the wireframe [UseLastCopy]
-        document-json: a.wirebend, line 53, column 15: invalid value: integer `0`, expected a nonzero u32 [UseLastCopy]
-        document-json: a.wirebend, line 55, column 5: a pause point says what to do: its note is empty [UseLastCopy]
+        document-json: a.wirebend, line 59, column 15: invalid value: integer `0`, expected a nonzero u32 [UseLastCopy]
+        document-json: a.wirebend, line 61, column 5: a pause point says what to do: its note is empty [UseLastCopy]
         document-dangling: a.wirebend: "doublings" names edge 5, which is not in the wireframe [UseLastCopy]
-        document-json: a.wirebend, line 32, column 12: invalid value: integer `0`, expected a nonzero u32 [UseLastCopy]
+        document-json: a.wirebend, line 38, column 12: invalid value: integer `0`, expected a nonzero u32 [UseLastCopy]
         document-closed-wires: a.wirebend: "closed" is for one wire, and "wires" is 3 [UseLastCopy]
     "#]].assert_eq(&refusals(&texts));
 }
@@ -245,7 +268,7 @@ fn packed(numbers: &[u32]) -> String {
 fn a_stencil_that_was_tampered_with_is_refused() {
     let square = [(0., 0.), (1., 0.), (1., 1.)].map(|(x, y)| Point3::new(x, y, 0.)).to_vec();
     let stencil = Stencil::new(square, vec![vec![0, 1, 2]]).unwrap();
-    let document = Document { stencil: Some(embedded(stencil)), ..Document::default() };
+    let document = with_stencil("square", stencil);
     let good = String::from_utf8(document.to_bytes().unwrap()).unwrap();
     let part = |key: &str| {
         good.split(&format!("\"{key}\": \"")).nth(1).unwrap().split('"').next().unwrap().to_owned()

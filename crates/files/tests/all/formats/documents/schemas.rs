@@ -19,7 +19,7 @@ fn the_schemas_are_the_committed_ones() {
 #[test]
 fn documents_fit_their_schemas_and_strangers_do_not() {
     let mut packed = example();
-    packed.stencil = Some(StencilSource::Embedded { surface: Stencil::default(), name: "bunny.stl".into() });
+    packed.add_stencil("bunny.stl".into(), StencilSource::Embedded(Stencil::default().into()));
     let job = Job::seal(example_job()).unwrap().to_bytes().unwrap();
     for ((name, schema), file) in schemas().into_iter().zip([job, packed.to_bytes().unwrap()]) {
         let validator = jsonschema::validator_for(&serde_json::from_str(&schema).unwrap()).unwrap();
