@@ -48,6 +48,15 @@ impl EllipticArc {
         Self { centre: map * self.centre, u: map * self.u, v: map * self.v, ..self.clone() }
     }
 
+    /// The ways in which it begins and ends, of any length.
+    #[must_use]
+    pub fn ways(&self) -> [Vector3<f64>; 2] {
+        [0.0, self.sweep.rad()].map(|part| {
+            let (sin, cos) = (self.start.rad() + part).sin_cos();
+            (self.v * cos - self.u * sin) * self.sweep.signum()
+        })
+    }
+
     /// Points at equal steps of t, both ends among them, at least one a quarter turn.
     ///
     /// The chord of a step h of the unit circle is 1 - cos(h/2) off, and the map of the unit circle to the ellipse
@@ -185,6 +194,25 @@ impl Spline {
         let spans = self.degree..self.control.len();
         let first = spans.into_iter().find(|&span| self.knots[span] < self.knots[span + 1]);
         cartesian(&self.bezier_of(first.unwrap_or(self.degree))[0])
+    }
+
+    /// The ways in which it begins and ends, of any length; zero where all control points are one.
+    #[must_use]
+    pub fn ways(&self) -> [Vector3<f64>; 2] {
+        let spans =
+            || (self.degree..self.control.len()).filter(|&span| self.knots[span] < self.knots[span + 1]);
+        let points = |span: Option<usize>| -> Vec<Point3<f64>> {
+            self.bezier_of(span.unwrap_or(self.degree)).iter().map(cartesian).collect()
+        };
+        let (first, mut last) = (points(spans().next()), points(spans().next_back()));
+        last.reverse();
+        // Where control points lie on the end, the next one says where the curve goes.
+        let way = |points: &[Point3<f64>]| {
+            let apart = points.iter().map(|point| point - points[0]);
+            let longest = apart.clone().map(|by| by.norm()).fold(0.0, f64::max);
+            apart.into_iter().find(|by| by.norm() > 1e-9 * longest).unwrap_or_default()
+        };
+        [way(&first), -way(&last)]
     }
 
     /// Points of the curve, both ends among them. A curve lies within the hull of its control points, so each piece

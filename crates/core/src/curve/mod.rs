@@ -2,10 +2,12 @@
 //! gives.
 
 mod arc_fit;
+mod cut;
 mod flatten;
 mod simplify;
 
 pub use arc_fit::{Piece, fit_arcs};
+pub use cut::{CurveCut, CurveEnds, EdgeLimit, cut_curve};
 pub use flatten::{EllipticArc, Spline, SplineError};
 pub use simplify::simplify;
 
