@@ -53,6 +53,7 @@ pub use wirebend_planning::compare::{
     Change, CollisionCount, CompareRequest, CompareResponse, Findings, MachineSide, OtherSide,
     WireDiagnostic, WireStep,
 };
+pub use wirebend_planning::curves::{CurvesReport, MachineEdges, ShortestEdge};
 pub use wirebend_planning::design::{DesignInput, Input};
 pub use wirebend_planning::drivers::{
     DriverCheckRequest, DriverCheckResponse, DriverEntry, DriverState, DriverTrustRequest,

@@ -101,14 +101,7 @@ fn weld() -> Length {
 pub(super) fn chord_limits(document: &Document, app: &Installation) -> Result<ChordLimits, EditorError> {
     let Some(machine) = &document.machine else { return Ok(ChordLimits::default()) };
     let material = document.material.as_ref().map(|material| material.id.as_str());
-    let model = app.setup(&machine.id, material)?.model;
-    let feed = model.compensation.feed;
-    Ok(ChordLimits {
-        min_edge: model.limits.min_edge.value,
-        min_feed: model.limits.min_feed.value,
-        bend_radius: feed.map_or(Length::ZERO, |feed| feed.bend_radius),
-        neutral_radius: feed.map_or(Length::ZERO, |feed| feed.neutral_radius),
-    })
+    Ok(wirebend_planning::curves::chord_limits(&app.setup(&machine.id, material)?.model))
 }
 
 /// Walks whose vertices and edges are all there.

@@ -43,7 +43,7 @@ use wirebend_planning::design::{DesignInput, FoundStencil, Opened};
 use wirebend_planning::machine::Setup;
 use wirebend_planning::output::file_name;
 use wirebend_planning::report::NoteReport;
-use wirebend_planning::{Installation, Progress};
+use wirebend_planning::{Installation, PlanChoices, Progress};
 
 /// A machine, and the wire in it unless it is the machine's own.
 type Names = (String, Option<String>);
@@ -117,7 +117,12 @@ impl Editor {
         keep_in: Option<&Path>,
         progress: &dyn Progress,
     ) -> Result<(Self, Vec<NoteReport>), EditorError> {
-        let mut opened = input.open(progress)?.with_stencils(input);
+        let choices = machine.map_or_else(PlanChoices::default, |(machine, material)| PlanChoices {
+            machine: Some(machine.to_owned()),
+            material: material.map(str::to_owned),
+            ..PlanChoices::default()
+        });
+        let mut opened = input.open_with(app, &choices, progress)?.with_stencils(input);
         if let Some((machine, material)) = machine.filter(|_| opened.document.machine.is_none()) {
             // Recorded moves are of the machine that made them.
             let recorded = opened.recorded_on().filter(|recorded| *recorded != machine).map(str::to_owned);

@@ -19,6 +19,8 @@ pub enum InputName {
     CentrelineRadius,
     /// How far edges may be from a curve.
     Tolerance,
+    /// How short edges of curves may be.
+    ShortestEdge,
     /// The layers of a drawing.
     Layers,
     /// Which way a table's rotations turn.
@@ -108,6 +110,7 @@ impl InputName {
             Self::FaceEdges => "edges of faces",
             Self::CentrelineRadius => "centreline radius",
             Self::Tolerance => "tolerance",
+            Self::ShortestEdge => "shortest edge",
             Self::Layers => "layers",
             Self::Handedness => "handedness",
             Self::Program => "kind of program",

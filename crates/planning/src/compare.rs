@@ -165,7 +165,9 @@ pub fn compare(
     // A misspelt id is reported before any work is done.
     let others = request.against.iter().map(|machine| app.library.machine(machine));
     let others = others.collect::<Result<Vec<_>, _>>()?;
-    let opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
+    let opened = app
+        .designed(request.design.open_with(app, &request.choices, progress)?, &request.choices)?
+        .with_wireframe()?;
     let from = app.plan_design(opened.copy(), &request.choices, progress)?;
     let mut notes = from.opened.notes.clone();
     let (from, before) = (MachineSide::new(&from), from.report());

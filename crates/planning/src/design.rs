@@ -6,6 +6,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use wirebend_core::mesh::Stencil;
+use wirebend_core::plan::Machine;
 use wirebend_core::units::Length;
 use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_files::document::{Document, Job, SourceFile, StencilSource, sha256_hex};
@@ -14,11 +15,12 @@ use wirebend_files::read::{
     DEFAULT_TOLERANCE_MM, Format, Handedness, LengthUnit, ReadOptions, read, read_file,
 };
 
+use crate::curves::{CurvesReport, ShortestEdge};
 use crate::job::is_job;
 use crate::output::file_name;
 use crate::program::{ProgramKind, ReadProgram};
 use crate::report::NoteReport;
-use crate::{PlanningError, Progress};
+use crate::{Installation, PlanChoices, PlanningError, Progress};
 
 /// Where the bytes come from.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
@@ -86,6 +88,10 @@ pub struct DesignInput {
     /// How far straight edges may be from the curves of a drawing, in mm.
     #[serde(default = "default_tolerance_mm")]
     pub tolerance_mm: f64,
+    /// How short edges of the curves of a drawing may be, although they may be farther off for that; absent: as short as
+    /// the tolerance asks for.
+    #[serde(default)]
+    pub shortest_edge: Option<ShortestEdge>,
     /// The layers of a drawing to read; empty: all that are not hidden.
     #[serde(default)]
     pub layers: Vec<String>,
@@ -135,6 +141,7 @@ impl DesignInput {
             face_edges: false,
             clr_mm: None,
             tolerance_mm: default_tolerance_mm(),
+            shortest_edge: None,
             layers: Vec::new(),
             handedness: None,
             program: None,
@@ -143,6 +150,46 @@ impl DesignInput {
 
     /// Reads the design.
     pub fn open(&self, progress: &dyn Progress) -> Result<Opened, PlanningError> {
+        self.open_for(None, progress)
+    }
+
+    /// Reads the design for the machine of choices, if they name one.
+    pub fn open_with(
+        &self,
+        app: &Installation,
+        choices: &PlanChoices,
+        progress: &dyn Progress,
+    ) -> Result<Opened, PlanningError> {
+        self.open_for(self.machine_of(app, choices)?.as_ref(), progress)
+    }
+
+    /// Reads the design from bytes that were loaded before, for the machine of choices, if they name one.
+    pub fn open_bytes_with(
+        &self,
+        app: &Installation,
+        choices: &PlanChoices,
+        name: String,
+        bytes: &[u8],
+    ) -> Result<Opened, PlanningError> {
+        self.open_bytes(name, bytes, self.machine_of(app, choices)?.as_ref())
+    }
+
+    /// The machine of choices, where reading depends on it; an unknown one is else refused by what plans on it.
+    fn machine_of(
+        &self,
+        app: &Installation,
+        choices: &PlanChoices,
+    ) -> Result<Option<Machine>, PlanningError> {
+        let setup = self.shortest_edge.map_or(Ok(None), |_| app.chosen_setup(choices))?;
+        Ok(setup.map(|setup| setup.model))
+    }
+
+    /// Reads the design for a machine.
+    pub fn open_for(
+        &self,
+        machine: Option<&Machine>,
+        progress: &dyn Progress,
+    ) -> Result<Opened, PlanningError> {
         progress.stage("reading");
         let (name, bytes) = self.input.load()?;
         if is_job(&name, &bytes) {
@@ -150,7 +197,7 @@ impl DesignInput {
             Job::open(&bytes, &name)?;
             return Err(PlanningError::IsAJob { name });
         }
-        self.open_bytes(name, &bytes)
+        self.open_bytes(name, &bytes, machine)
     }
 
     /// Reads the surface; of a design with several stencils, all of them as one.
@@ -174,7 +221,8 @@ impl DesignInput {
     /// What was given to read other than as the file says.
     pub fn read_otherwise(&self) -> Vec<InputName> {
         use InputName::{
-            CentrelineRadius, FaceEdges, Handedness, Layers, Program, Scale, Tolerance, Units, Weld,
+            CentrelineRadius, FaceEdges, Handedness, Layers, Program, Scale, ShortestEdge, Tolerance, Units,
+            Weld,
         };
         let plain = Self::file(PathBuf::new());
         #[allow(clippy::float_cmp, reason = "a number that was not given is the very same one")]
@@ -185,6 +233,7 @@ impl DesignInput {
             (FaceEdges, self.face_edges != plain.face_edges),
             (CentrelineRadius, self.clr_mm != plain.clr_mm),
             (Tolerance, self.tolerance_mm != plain.tolerance_mm),
+            (ShortestEdge, self.shortest_edge != plain.shortest_edge),
             (Layers, self.layers != plain.layers),
             (Handedness, self.handedness != plain.handedness),
             (Program, self.program != plain.program),
@@ -192,8 +241,14 @@ impl DesignInput {
         given.into_iter().filter_map(|(input, given)| given.then_some(input)).collect()
     }
 
-    /// Reads the design from bytes that were loaded before.
-    pub fn open_bytes(&self, name: String, bytes: &[u8]) -> Result<Opened, PlanningError> {
+    /// Reads the design from bytes that were loaded before, for a machine if there is one.
+    pub fn open_bytes(
+        &self,
+        name: String,
+        bytes: &[u8],
+        machine: Option<&Machine>,
+    ) -> Result<Opened, PlanningError> {
+        let edges = self.shortest_edge.map(|shortest| shortest.chosen(machine)).transpose()?;
         let options = ReadOptions {
             scale: positive(InputName::Scale, self.scale)?,
             units: self.units,
@@ -201,6 +256,8 @@ impl DesignInput {
             face_edges: self.face_edges,
             clr: self.clr_mm.map(|clr| length(InputName::CentrelineRadius, clr)).transpose()?,
             tolerance: length(InputName::Tolerance, positive(InputName::Tolerance, self.tolerance_mm)?)?,
+            shortest_edge: edges.map(|edges| edges.shortest),
+            bend_radius: edges.map_or(Length::ZERO, |edges| edges.bend_radius),
             layers: self.layers.clone(),
             handedness: self.handedness,
             folder: self.input.folder().map(Path::to_owned),
@@ -216,6 +273,11 @@ impl DesignInput {
             .program
             .map(|program| ReadProgram::new(program, self.program, self.weld_mm, imported.format));
         notes.extend(program.as_ref().and_then(ReadProgram::assumed));
+        let curves = imported.curves.zip(edges).map(|(facts, edges)| {
+            let report = CurvesReport::new(&facts, &edges);
+            notes.extend(report.notes(&edges));
+            report
+        });
         for note in &notes {
             tracing::info!(code = %note.code, count = note.count, "{}", note.message);
         }
@@ -235,6 +297,7 @@ impl DesignInput {
             format: imported.format,
             document,
             layers: imported.layers,
+            curves,
             program,
             frame: imported.frame,
             notes,
@@ -249,6 +312,8 @@ pub struct Opened {
     pub document: Document,
     /// Of a drawing.
     pub layers: Vec<String>,
+    /// What was made of the curves of a drawing whose edges have a least length.
+    pub curves: Option<CurvesReport>,
     /// Of a file that is one.
     pub program: Option<ReadProgram>,
     /// Of a file of a frame what it says beside its struts.
@@ -264,6 +329,7 @@ impl Opened {
             format: self.format,
             document: self.document.clone(),
             layers: Vec::new(),
+            curves: None,
             program: self.program.clone(),
             frame: self.frame.clone(),
             notes: self.notes.clone(),
@@ -277,6 +343,7 @@ impl Opened {
             format: Format::Wirebend,
             document,
             layers: Vec::new(),
+            curves: None,
             program: None,
             frame: None,
             notes: Vec::new(),

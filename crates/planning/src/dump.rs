@@ -38,7 +38,8 @@ pub fn dump(
     progress: &dyn Progress,
 ) -> Result<DumpResponse, PlanningError> {
     let stage = request.stage;
-    let opened = app.designed(request.design.open(progress)?, &request.choices)?;
+    let opened =
+        app.designed(request.design.open_with(app, &request.choices, progress)?, &request.choices)?;
     let value = match stage {
         StageName::Stencil => stencil(&opened),
         StageName::Wireframe => wireframe(&opened),

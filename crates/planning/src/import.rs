@@ -80,7 +80,7 @@ pub fn import(
     let ImportRequest { machine, material, .. } = request;
     let choices =
         PlanChoices { machine: machine.clone(), material: material.clone(), ..PlanChoices::default() };
-    let opened = app.designed(request.design.open(progress)?, &choices)?;
+    let opened = app.designed(request.design.open_with(app, &choices, progress)?, &choices)?;
     progress.stage("writing");
     let as_obj = request.output.as_ref().is_some_and(Output::is_obj);
     let contents = if as_obj { wireframe_obj(&opened.document)? } else { opened.document.to_bytes()? };

@@ -13,6 +13,7 @@ pub mod choices;
 pub mod collisions;
 pub mod compare;
 mod contacts;
+pub mod curves;
 pub mod design;
 pub mod drivers;
 pub mod dump;
@@ -43,6 +44,7 @@ mod turning_back;
 pub mod wires;
 
 pub use choices::PlanChoices;
+pub use curves::{CurvesReport, MachineEdges, ShortestEdge};
 pub use design::{DesignInput, Input};
 pub use error::{DriverProblem, ErrorKind, PlanningError, StencilFileError};
 pub use export::ExportFormat;

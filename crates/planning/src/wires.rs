@@ -62,7 +62,9 @@ pub fn wires(
             expected: "one number of wires, at least 1, or a range of such numbers, the smaller first",
         });
     }
-    let mut opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
+    let mut opened = app
+        .designed(request.design.open_with(app, &request.choices, progress)?, &request.choices)?
+        .with_wireframe()?;
     // What was accepted for one number of wires says nothing of the others.
     opened.document.doublings.clear();
     let parts = opened.document.wireframe.components();

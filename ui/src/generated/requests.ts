@@ -490,6 +490,14 @@ export type Handedness = "right" | "left";
  */
 export type ProgramKind = "nominal" | "compensated";
 /**
+ * How short edges may be that are made of the curves of a drawing.
+ */
+export type ShortestEdge =
+  | "machine"
+  | {
+      mm: number;
+    };
+/**
  * An order for a connected machine. STOP is none of these: it is always possible.
  */
 export type Order =
@@ -1219,6 +1227,11 @@ export interface DesignInput {
    * Factor on all coordinates, after units.
    */
   scale?: number;
+  /**
+   * How short edges of the curves of a drawing may be, although they may be farther off for that; absent: as short as
+   * the tolerance asks for.
+   */
+  shortest_edge?: ShortestEdge | null;
   /**
    * How far straight edges may be from the curves of a drawing, in mm.
    */

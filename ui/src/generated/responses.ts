@@ -553,6 +553,7 @@ export type InputName =
   | "face-edges"
   | "centreline-radius"
   | "tolerance"
+  | "shortest-edge"
   | "layers"
   | "handedness"
   | "program"
@@ -4487,6 +4488,14 @@ export interface LookResponse {
    */
   asks_units: boolean;
   /**
+   * Of its lines, vertices with two edges that the machine of the open design bends; all corners without one.
+   */
+  bends: number;
+  /**
+   * What would become of the curves of a drawing; null unless the edges have a least length.
+   */
+  curves: CurvesReport | null;
+  /**
    * Its lines.
    */
   edges: number;
@@ -4499,6 +4508,14 @@ export interface LookResponse {
    * The layers of a drawing, hidden ones included.
    */
   layers: string[];
+  /**
+   * The name of the machine of the open design; null without one.
+   */
+  machine: string | null;
+  /**
+   * What edges it can make.
+   */
+  machine_edges: MachineEdges | null;
   name: string;
   /**
    * What would be merged, ignored or assumed.
@@ -4520,6 +4537,62 @@ export interface LookResponse {
    * Vertices of its lines.
    */
   vertices: number;
+}
+/**
+ * What was made of the curves of a drawing.
+ */
+export interface CurvesReport {
+  /**
+   * Where that is, mm.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  at_mm: [number, number, number];
+  /**
+   * How many curves are farther off than the tolerance, since closer edges would be too short.
+   */
+  coarser: number;
+  /**
+   * How many curves there are.
+   */
+  curves: number;
+  /**
+   * The largest distance between the drawing and its edges, mm.
+   */
+  deviation_mm: number;
+  /**
+   * How many curves are tighter than the machine bends; 0 where it is not known.
+   */
+  tight: number;
+  /**
+   * Where that is, mm.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  tightest_at_mm: [number, number, number] | null;
+  /**
+   * The radius of the tightest of these, mm.
+   */
+  tightest_mm: number | null;
+  /**
+   * How many edges are too short all the same: their curves have no room for longer ones.
+   */
+  too_short: number;
+}
+/**
+ * What of edges a machine can make with its wire.
+ */
+export interface MachineEdges {
+  /**
+   * Centreline radius of its bends, mm.
+   */
+  bend_radius_mm: number;
+  /**
+   * The shortest edge between two bends of up to 90°, mm.
+   */
+  shortest_edge_mm: number;
 }
 export interface MachinesResponse {
   /**

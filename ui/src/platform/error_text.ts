@@ -12,6 +12,7 @@ const INPUTS: Readonly<Record<InputName, string>> = {
   "face-edges": "the edges of faces",
   "centreline-radius": "the bend radius",
   tolerance: "the tolerance",
+  "shortest-edge": "the shortest edge",
   layers: "the layers",
   handedness: "the direction of rotations",
   program: "the kind of program",

@@ -7,7 +7,9 @@ use wirebend_files::read::Format;
 
 use super::Workspace;
 use crate::{ApiError, DesignInput, Progress};
+use wirebend_planning::curves::{CurvesReport, MachineEdges, bend_count};
 use wirebend_planning::job::{is_job, open_job};
+use wirebend_planning::machine::Setup;
 use wirebend_planning::report::NoteReport;
 
 /// What to look into.
@@ -51,8 +53,16 @@ pub struct LookResponse {
     pub edges: usize,
     /// Faces of its surface.
     pub faces: usize,
+    /// Of its lines, vertices with two edges that the machine of the open design bends; all corners without one.
+    pub bends: usize,
     /// The layers of a drawing, hidden ones included.
     pub layers: Vec<String>,
+    /// The name of the machine of the open design; null without one.
+    pub machine: Option<String>,
+    /// What edges it can make.
+    pub machine_edges: Option<MachineEdges>,
+    /// What would become of the curves of a drawing; null unless the edges have a least length.
+    pub curves: Option<CurvesReport>,
     /// What would be merged, ignored or assumed.
     pub notes: Vec<NoteReport>,
 }
@@ -77,13 +87,19 @@ impl Workspace {
                 vertices: 0,
                 edges: 0,
                 faces: 0,
+                bends: 0,
                 layers: Vec::new(),
+                machine: None,
+                machine_edges: None,
+                curves: None,
                 notes: Vec::new(),
             };
             return Ok(none);
         }
         progress.stage("reading");
-        let opened = asked.design.open_bytes(name, &bytes)?;
+        let setup = self.machine_at_hand();
+        let machine = setup.as_ref().map(|setup| &setup.model);
+        let opened = asked.design.open_bytes(name, &bytes, machine)?;
         let document = &opened.document;
         let surfaces: Vec<Stencil> = document.surfaces_in_place().collect();
         let (lines, surface) = (document.wireframe.edge_count() > 0, !surfaces.is_empty());
@@ -110,6 +126,10 @@ impl Workspace {
             vertices: document.wireframe.vertex_count(),
             edges: document.wireframe.edge_count(),
             faces: surfaces.iter().map(|surface| surface.faces().len()).sum(),
+            bends: bend_count(&document.wireframe, machine.map_or(0.0, |machine| machine.straight.deg())),
+            machine: setup.as_ref().map(|setup| setup.machine_name().to_owned()),
+            machine_edges: machine.map(MachineEdges::of),
+            curves: opened.curves,
             layers: opened.layers,
             notes: opened.notes,
             name: opened.name,
@@ -118,6 +138,13 @@ impl Workspace {
 }
 
 impl Workspace {
+    /// The machine of the open design, with its wire; none where its profile cannot be had, since a file can be looked
+    /// into without one.
+    fn machine_at_hand(&self) -> Option<Setup> {
+        let state = self.open().state();
+        self.installation().setup(&state.machine?, state.material.as_deref()).ok()
+    }
+
     /// Whether a format is that of programs of the open design's machine.
     fn runs(&self, format: Format) -> bool {
         let machine = self.open().state().machine;

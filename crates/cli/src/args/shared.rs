@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use wirebend_api::{
-    Format, Handedness, LengthUnit, ProfileKind, ProgramKind, SearchWeights, StageName, StepPause,
+    Format, Handedness, LengthUnit, ProfileKind, ProgramKind, SearchWeights, ShortestEdge, StageName,
+    StepPause,
 };
 
 /// Which kind of profile is meant.
@@ -40,6 +41,9 @@ pub(crate) struct ReadArgs {
     /// Make curves of a drawing straight edges that are no farther from them than this, in mm
     #[arg(long, value_name = "DISTANCE", default_value_t = 0.1)]
     pub tolerance: f64,
+    /// Make no edge of a curve of a drawing shorter than this, in mm, though it may be farther from the curve; or machine: what the machine can make
+    #[arg(long, value_name = "LENGTH", value_parser = parse_shortest_edge)]
+    pub shortest_edge: Option<ShortestEdge>,
     /// Read this layer of a drawing only, by name; may be given again
     #[arg(long = "layer", value_name = "NAME")]
     pub layers: Vec<String>,
@@ -226,6 +230,13 @@ pub(super) fn parse_pause(text: &str) -> Result<StepPause, String> {
 
 fn parse_unit(word: &str) -> Result<LengthUnit, String> {
     LengthUnit::from_word(word).ok_or_else(|| "expected mm, cm, m or inch".to_owned())
+}
+
+fn parse_shortest_edge(word: &str) -> Result<ShortestEdge, String> {
+    if word == "machine" {
+        return Ok(ShortestEdge::Machine);
+    }
+    word.parse().map(ShortestEdge::Mm).map_err(|_| "expected a length in mm, or machine".to_owned())
 }
 
 fn handedness_parser() -> impl TypedValueParser<Value = Handedness> {

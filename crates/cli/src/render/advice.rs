@@ -227,6 +227,7 @@ const fn option(input: InputName) -> &'static str {
         InputName::FaceEdges => "--face-edges",
         InputName::CentrelineRadius => "--clr",
         InputName::Tolerance => "--tolerance",
+        InputName::ShortestEdge => "--shortest-edge",
         InputName::Layers => "--layer",
         InputName::Handedness => "--handedness",
         InputName::Program => "--program",

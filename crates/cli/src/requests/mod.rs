@@ -241,8 +241,19 @@ fn input(file: &Path) -> anyhow::Result<Input> {
 }
 
 fn design(args: &DesignArgs) -> anyhow::Result<DesignInput> {
-    let ReadArgs { from, scale, units, weld, face_edges, clr, tolerance, layers, handedness, program } =
-        &args.read;
+    let ReadArgs {
+        from,
+        scale,
+        units,
+        weld,
+        face_edges,
+        clr,
+        tolerance,
+        shortest_edge,
+        layers,
+        handedness,
+        program,
+    } = &args.read;
     Ok(DesignInput {
         input: input(&args.file)?,
         format: *from,
@@ -252,6 +263,7 @@ fn design(args: &DesignArgs) -> anyhow::Result<DesignInput> {
         face_edges: *face_edges,
         clr_mm: *clr,
         tolerance_mm: *tolerance,
+        shortest_edge: *shortest_edge,
         layers: layers.clone(),
         handedness: *handedness,
         program: *program,

@@ -7,6 +7,7 @@ use wirebend_core::mesh::Stencil;
 use wirebend_core::wireframe::{Edge, EdgeId, Vertex, VertexId, Welder, Wireframe};
 
 use super::Imported;
+use super::curves::CurveFacts;
 use super::error::{Location, ReadError};
 use super::format::Format;
 use super::note::{NoteKind, Notes};
@@ -30,6 +31,8 @@ pub(crate) struct Drawing {
     /// How many millimetres the unit is that the file names.
     pub(crate) unit_mm: Option<f64>,
     pub(crate) layers: Vec<String>,
+    /// What became of its curves, where edges of them have a least length.
+    pub(crate) curves: Option<CurveFacts>,
     pub(crate) notes: Notes,
 }
 
@@ -99,6 +102,7 @@ impl Drawing {
             frame: None,
             document: None,
             layers: self.layers,
+            curves: self.curves,
             notes: self.notes.into_vec(),
         };
         Ok((imported, welded))

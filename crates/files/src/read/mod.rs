@@ -6,6 +6,7 @@
 mod assembly;
 mod beside;
 mod columns;
+mod curves;
 mod detect;
 mod drawing;
 mod dxf;
@@ -28,6 +29,7 @@ mod program;
 mod pwf;
 mod sheet;
 mod stl;
+mod stroke;
 mod svg;
 mod table;
 mod text;
@@ -41,6 +43,7 @@ use std::path::Path;
 use wirebend_core::mesh::Stencil;
 use wirebend_core::wireframe::Wireframe;
 
+pub use curves::{CurveFacts, CurveRadius};
 pub use detect::detect;
 pub use error::{Location, ReadError};
 pub use format::{Format, UnknownName};
@@ -72,6 +75,8 @@ pub struct Imported {
     pub document: Option<Box<Document>>,
     /// The layers of a drawing, hidden ones included, as [`ReadOptions::layers`] takes them.
     pub layers: Vec<String>,
+    /// What became of the curves of a drawing; none without [`ReadOptions::shortest_edge`].
+    pub curves: Option<CurveFacts>,
     /// What was merged, ignored or assumed.
     pub notes: Vec<Note>,
 }
@@ -156,6 +161,7 @@ fn read_as(
                 frame: None,
                 document: Some(Box::new(document)),
                 layers: Vec::new(),
+                curves: None,
                 notes: Vec::new(),
             })
         }

@@ -52,6 +52,11 @@ pub struct ReadOptions {
     /// How far the straight edges that a curve of a drawing becomes may be from it, in mm after scaling; 0.1 µm
     /// or more.
     pub tolerance: Length,
+    /// No edge that is made of a curve of a drawing is shorter, where the curve has room, although it may be farther
+    /// from the curve than the tolerance for that; in mm after scaling, between corners of up to 90°. None: any length.
+    pub shortest_edge: Option<Length>,
+    /// Centreline radius of the bends that will be made: edges of curves between sharper corners have to be longer.
+    pub bend_radius: Length,
     /// The layers of a drawing to read, by name in any case. Empty: all that are not off, frozen or hidden.
     pub layers: Vec<String>,
     /// The folder of the file, in which the files that it names are looked for. None: it may name none.
@@ -76,6 +81,8 @@ impl Default for ReadOptions {
             convention: Convention::default(),
             handedness: None,
             tolerance: Length::from_mm(DEFAULT_TOLERANCE_MM).unwrap_or_default(),
+            shortest_edge: None,
+            bend_radius: Length::ZERO,
             layers: Vec::new(),
             folder: None,
         }

@@ -1,15 +1,20 @@
 //! Lines and curves of a drawing, before and after they are made straight edges.
 
 use nalgebra::{Affine3, Point3};
-use wirebend_core::curve::{EllipticArc, Spline};
+use wirebend_core::curve::{EdgeLimit, EllipticArc, Spline};
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{Vertex, VertexId, Wireframe};
 
+use super::curves::{CurveFacts, CurveRadius, tightest};
 use super::drawing::Drawing;
 use super::error::{Location, ReadError};
 use super::note::NoteKind;
 use super::options::ReadOptions;
+use super::stroke::{Cutter, Part};
 use super::text::{LIMIT, Source};
+
+/// Curves that are cut to a least length of edges are looked at so much closer than the tolerance.
+const CLOSER: f64 = 50.0;
 
 /// One stroke: from a point along pieces, each of which starts where the one before it ends.
 #[derive(Debug, Clone)]
@@ -66,6 +71,10 @@ pub(super) struct Pen<'a> {
     weld: f64,
     /// To millimetres.
     factor: f64,
+    /// How short edges of curves may be, in the unit of the file; none where that is left open.
+    limit: Option<EdgeLimit>,
+    /// What waits to be cut, since curves may go on in what is drawn later.
+    parts: Vec<Part>,
 }
 
 impl<'a> Pen<'a> {
@@ -74,11 +83,20 @@ impl<'a> Pen<'a> {
         let factor = drawing.factor(options);
         // A scale that leaves the finite numbers is refused with the first position.
         let tolerance = Length::from_mm(options.tolerance.mm() / factor).unwrap_or(options.tolerance);
-        Self { source, drawing, tolerance, weld: options.weld.mm() / factor, factor }
+        let in_file = |length: Length| Length::from_mm(length.mm() / factor).ok();
+        let limit = options.shortest_edge.and_then(in_file).map(|shortest| EdgeLimit {
+            shortest,
+            bend_radius: in_file(options.bend_radius).unwrap_or_default(),
+        });
+        let weld = options.weld.mm() / factor;
+        Self { source, drawing, tolerance, weld, factor, limit, parts: Vec::new() }
     }
 
-    /// Adds the vertices and edges of an outline; `line` is where it stands, in a text.
+    /// Adds the vertices and edges of an outline, at [`Pen::finish`] at the latest; `place` is where it stands.
     pub(super) fn draw(&mut self, place: &Location, outline: &Outline) -> Result<(), ReadError> {
+        if self.limit.is_some() {
+            return self.take(place, outline);
+        }
         let first = self.drawing.points.len();
         self.point(place, outline.start)?;
         for piece in &outline.pieces {
@@ -87,21 +105,10 @@ impl<'a> Pen<'a> {
                     self.point(place, *to)?;
                     continue;
                 }
-                Piece::Arc(arc, to) => {
-                    for part in [0.25, 0.5, 0.75, 1.0] {
-                        let at =
-                            Angle::from_rad(arc.start.rad() + part * arc.sweep.rad()).unwrap_or_default();
-                        self.within(place, &arc.point(at))?;
-                    }
-                    (arc.flatten(self.tolerance), Some(*to))
-                }
-                Piece::Spline(spline) => {
-                    spline.control().iter().try_for_each(|point| self.within(place, point))?;
-                    let max_points = LIMIT.saturating_sub(self.drawing.points.len());
-                    let Ok(points) = spline.flatten(self.tolerance, max_points) else {
-                        return self.source.room(place.clone(), LIMIT, "vertices");
-                    };
-                    (points, None)
+                curve => {
+                    self.curve_within(place, curve)?;
+                    let end = if let Piece::Arc(_, to) = curve { Some(*to) } else { None };
+                    (self.flat(place, curve, self.tolerance)?, end)
                 }
             };
             self.drawing.notes.add(NoteKind::CurvesFlattened, 1);
@@ -116,11 +123,105 @@ impl<'a> Pen<'a> {
         self.join(place, first, outline.closed)
     }
 
+    /// Keeps an outline until all are known.
+    fn take(&mut self, place: &Location, outline: &Outline) -> Result<(), ReadError> {
+        let (mut at, first) = (outline.start, self.parts.len());
+        self.within(place, &at)?;
+        for piece in &outline.pieces {
+            self.source.room(place.clone(), self.parts.len(), "lines and curves")?;
+            let part = if let Piece::Line(to) = piece {
+                self.within(place, to)?;
+                Part::line(place.clone(), at, *to)
+            } else {
+                self.curve_within(place, piece)?;
+                self.curve(place, at, piece)?
+            };
+            at = part.dense[part.dense.len() - 1];
+            self.parts.push(part);
+        }
+        if outline.closed && self.parts.len() > first && (at - outline.start).norm() > self.weld {
+            self.parts.push(Part::line(place.clone(), at, outline.start));
+        }
+        Ok(())
+    }
+
+    fn curve(&self, place: &Location, start: Point3<f64>, piece: &Piece) -> Result<Part, ReadError> {
+        let close = Length::from_mm(self.tolerance.mm() / CLOSER).unwrap_or(self.tolerance);
+        let mut dense = self.flat(place, piece, close)?;
+        let mut plain = self.flat(place, piece, self.tolerance)?;
+        // The file says where an arc ends; its centre and its angles may be rounded.
+        let end = if let Piece::Arc(_, to) = piece { Some(*to) } else { None };
+        for points in [&mut dense, &mut plain] {
+            points[0] = start;
+            if let (Some(last), Some(end)) = (points.last_mut(), end) {
+                *last = end;
+            }
+        }
+        let (ways, radius) = match piece {
+            Piece::Arc(arc, _) => (arc.ways(), tightest(&dense)),
+            Piece::Spline(spline) => (spline.ways(), tightest(&dense)),
+            Piece::Line(_) => ([dense[dense.len() - 1] - start; 2], None),
+        };
+        // Of so few points nothing can be said: a curve that is as good as straight.
+        let radius = radius.unwrap_or(CurveRadius { radius_mm: f64::MAX, at: start });
+        Ok(Part { place: place.clone(), dense, plain, ways, radius: Some(radius) })
+    }
+
+    /// The points of a curve for a tolerance.
+    fn flat(
+        &self,
+        place: &Location,
+        piece: &Piece,
+        tolerance: Length,
+    ) -> Result<Vec<Point3<f64>>, ReadError> {
+        let flat = match piece {
+            Piece::Line(to) => Ok(vec![*to]),
+            Piece::Arc(arc, _) => Ok(arc.flatten(tolerance)),
+            Piece::Spline(spline) => {
+                spline.flatten(tolerance, LIMIT.saturating_sub(self.drawing.points.len()))
+            }
+        };
+        flat.or_else(|_| self.source.room(place.clone(), LIMIT, "vertices").map(|()| Vec::new()))
+    }
+
+    /// The drawing with all that waited for it.
+    pub(super) fn finish(mut self) -> Result<Drawing, ReadError> {
+        let Some(limit) = self.limit else { return Ok(self.drawing) };
+        let parts = std::mem::take(&mut self.parts);
+        let weld = Length::from_mm(self.weld).unwrap_or_default();
+        let (tolerance, facts) = (self.tolerance, CurveFacts::default());
+        let mut cutter = Cutter { tolerance, limit, weld, facts };
+        for row in cutter.rows(parts) {
+            let first = self.drawing.points.len();
+            let Some((place, _)) = row.vertices.first().cloned() else { continue };
+            for (place, point) in &row.vertices {
+                self.point(place, *point)?;
+            }
+            self.join(&place, first, row.closed)?;
+        }
+        let within = cutter.facts.radii.len() - cutter.facts.coarser;
+        self.drawing.notes.add(NoteKind::CurvesFlattened, within);
+        self.drawing.curves = Some(cutter.facts.scaled(self.factor, tolerance.mm() / CLOSER));
+        Ok(self.drawing)
+    }
+
     /// Adds a corner of faces, and gives its index.
     pub(super) fn corner(&mut self, place: &Location, point: Point3<f64>) -> Result<u32, ReadError> {
         self.within(place, &point)?;
         self.point(place, point)?;
         Ok(index(self.drawing.points.len()) - 1)
+    }
+
+    /// Refuses a curve that goes where no wireframe has room.
+    fn curve_within(&self, place: &Location, piece: &Piece) -> Result<(), ReadError> {
+        match piece {
+            Piece::Line(to) => self.within(place, to),
+            Piece::Arc(arc, _) => [0.25, 0.5, 0.75, 1.0].into_iter().try_for_each(|part| {
+                let at = Angle::from_rad(arc.start.rad() + part * arc.sweep.rad()).unwrap_or_default();
+                self.within(place, &arc.point(at))
+            }),
+            Piece::Spline(spline) => spline.control().iter().try_for_each(|point| self.within(place, point)),
+        }
     }
 
     /// Refuses what no wireframe has room for before a curve that goes there is cut into any number of pieces.

@@ -202,6 +202,7 @@ pub(crate) fn finish(
         frame: None,
         document: None,
         layers: Vec::new(),
+        curves: None,
         notes: notes.into_vec(),
     })
 }

@@ -72,7 +72,7 @@ pub fn job_of_moves(
 
 fn read(name: &str, bytes: &[u8]) -> Result<Opened, PlanningError> {
     let input = DesignInput { program: Some(ProgramKind::Compensated), ..DesignInput::file(PathBuf::new()) };
-    input.open_bytes(name.to_owned(), bytes)
+    input.open_bytes(name.to_owned(), bytes, None)
 }
 
 /// Refuses a program of another machine's format: its numbers mean something else there.

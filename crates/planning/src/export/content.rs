@@ -90,7 +90,7 @@ impl Content {
         if is_job(&name, &bytes) {
             return Self::of_job(&name, &bytes, title, request);
         }
-        let opened = request.design.open_bytes(name, &bytes)?;
+        let opened = request.design.open_bytes_with(app, &request.choices, name, &bytes)?;
         let opened = app.designed(opened, &request.choices)?.with_wireframe()?;
         let setup = app.setup_of(&opened, &request.choices)?;
         let setup = Self::as_set(app, setup, request)?;

@@ -156,7 +156,9 @@ fn compute(
     within(InputName::Pieces, u64::from(request.pieces), 1, u64::from(MAX_PIECES), "1 to 100")?;
     let wanted = Wanted::of(&request.files)?;
     let mut timings = Timings::default();
-    let opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
+    let opened = app
+        .designed(request.design.open_with(app, &request.choices, progress)?, &request.choices)?
+        .with_wireframe()?;
     let material = app.frame_material(&opened, &request.choices)?;
     let mut notes = opened.notes.clone();
     if material.of_file {

@@ -152,7 +152,9 @@ pub fn tolerance(
             Ok(ToleranceResponse::new(material.id, &found, false, Vec::new()))
         }
         ToleranceSubject::Design(design) => {
-            let opened = app.designed(design.open(progress)?, &request.choices)?.with_wireframe()?;
+            let opened = app
+                .designed(design.open_with(app, &request.choices, progress)?, &request.choices)?
+                .with_wireframe()?;
             let mut notes = opened.notes.clone();
             let wires = app.wires_to_close(opened, &request.choices, request.faces.as_ref(), progress)?;
             progress.stage("closing joints");

@@ -316,7 +316,9 @@ pub fn check(
     request: &CheckRequest,
     progress: &dyn Progress,
 ) -> Result<CheckResponse, PlanningError> {
-    let opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
+    let opened = app
+        .designed(request.design.open_with(app, &request.choices, progress)?, &request.choices)?
+        .with_wireframe()?;
     let setup = app.setup_connected(app.setup_of(&opened, &request.choices)?)?;
     let planned = Installation::plan_with(opened, setup, &request.choices, progress)?;
     let of_wires = planned.wires.iter().flat_map(|wire| &wire.diagnostics);
@@ -339,7 +341,9 @@ pub fn plan(
 ) -> Result<PlanResponse, PlanningError> {
     request.output.as_ref().map_or(Ok(()), Output::check)?;
     let started = Instant::now();
-    let opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
+    let opened = app
+        .designed(request.design.open_with(app, &request.choices, progress)?, &request.choices)?
+        .with_wireframe()?;
     let read_ms = started.elapsed().as_secs_f64() * 1000.0;
     let mut planned = app.plan_design(opened, &request.choices, progress)?;
     planned.pauses = planned.pauses.and(&request.pauses, &planned.wires)?;

@@ -12,7 +12,10 @@ import { useLengths } from "../../shared/figures/unit";
 import { Dialog } from "../../shared/layers/Dialog";
 import { told } from "../../state/asking/problems";
 import { useDesign } from "../../state/design/design";
+
 import { baseName, isBegun, isDrawing, type Opening, openAs, type Use, useFiles } from "../../state/files/files";
+import { asInput, CurveFields, cuttingFor } from "./CurveFields";
+
 import { likeness } from "./likeness";
 import { RunOrDesign } from "./RunOrDesign";
 
@@ -43,11 +46,11 @@ function Asking({ opening }: { readonly opening: Opening }) {
   const [units, setUnits] = useState<LengthUnit>("mm");
   const [scale, setScale] = useState(1);
   const [layers, setLayers] = useState<readonly string[]>([]);
-  const [tolerance, setTolerance] = useState(0.1);
+  const [cutting, setCutting] = useState(() => cuttingFor(opening.look));
   const [use, setUse] = useState<Use>("stencil");
   const [busy, setBusy] = useState(false);
   const filled = useDesign(isBegun);
-  const { length, bare, name } = useLengths();
+  const { length, bare } = useLengths();
   const surface = look.faces > 0 && look.seen !== "document";
   const drawing = isDrawing(opening.look.format);
   const close = () => useFiles.setState({ opening: null });
@@ -56,7 +59,7 @@ function Asking({ opening }: { readonly opening: Opening }) {
     input: { file: path },
     ...(opening.look.asks_units ? { units } : {}),
     ...(scale === 1 ? {} : { scale }),
-    ...(drawing ? { tolerance_mm: tolerance, layers: [...layers] } : {}),
+    ...(drawing ? { ...asInput(cutting), layers: [...layers] } : {}),
   };
   const asked = JSON.stringify(design);
   useEffect(() => {
@@ -96,14 +99,16 @@ function Asking({ opening }: { readonly opening: Opening }) {
         </>
       }
     >
-      <p className="muted">
-        {[
-          look.faces > 0 && `${roughly(look.faces)} faces`,
-          look.edges > 0 && `${count(look.edges, "edge")}, ${count(look.vertices, "vertex", "vertices")}`,
-        ]
-          .filter(Boolean)
-          .join(" · ") || "The file is empty."}
-      </p>
+      {(!drawing || look.edges === 0) && (
+        <p className="muted">
+          {[
+            look.faces > 0 && `${roughly(look.faces)} faces`,
+            look.edges > 0 && `${count(look.edges, "edge")}, ${count(look.vertices, "vertex", "vertices")}`,
+          ]
+            .filter(Boolean)
+            .join(" · ") || "The file is empty."}
+        </p>
+      )}
       {opening.look.asks_units && (
         <Field label="Unit" hint="This format does not state its unit.">
           {(ids) => <Select {...ids} choices={UNITS} value={units} onChoose={setUnits} />}
@@ -145,11 +150,7 @@ function Asking({ opening }: { readonly opening: Opening }) {
               </p>
             </fieldset>
           )}
-          <Field label="Tolerance" hint={`How far straight edges may be from a drawn curve, ${name}.`}>
-            {({ id }) => (
-              <NumberField id={id} label="Tolerance" value={tolerance} min={0.001} max={100} onCommit={setTolerance} />
-            )}
-          </Field>
+          <CurveFields cutting={cutting} look={look} onChange={setCutting} />
         </>
       )}
       {surface && purpose === "design" && (

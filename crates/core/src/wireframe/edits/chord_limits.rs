@@ -19,6 +19,12 @@ pub struct ChordLimits {
 }
 
 impl ChordLimits {
+    /// The shortest edge between two bends of up to 90°.
+    #[must_use]
+    pub fn between_right_angles(&self) -> Length {
+        Length::computed(self.side(std::f64::consts::FRAC_PI_2))
+    }
+
     /// The shortest chord, mm, where the wire is bent by `bend` between two chords and by half of it at the ends of the arc, in
     /// whichever direction it runs: a feed is shorter than its edge by the tangents at both ends, and longer by the arc of one.
     pub(super) fn chord(&self, bend: f64) -> f64 {

@@ -124,10 +124,10 @@ impl<'a> Plotter<'a> {
     }
 
     /// The drawing, with the sides of faces that are not to become edges.
-    pub(super) fn finish(self) -> Drawing {
-        let mut drawing = self.pen.drawing;
+    pub(super) fn finish(self) -> Result<Drawing, ReadError> {
+        let mut drawing = self.pen.finish()?;
         drawing.hidden_sides = self.skin.hidden_sides();
-        drawing
+        Ok(drawing)
     }
 
     fn meet(&mut self, place: &Location) -> Result<(), ReadError> {

@@ -68,7 +68,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     let pen = Pen::new(source, drawing, options);
     let mut plotter = Plotter::new(pen, &content, &options.layers)?;
     plotter.draw(&content.entities, &Affine3::identity(), None)?;
-    plotter.finish().finish(Format::Dxf, source, options)
+    plotter.finish()?.finish(Format::Dxf, source, options)
 }
 
 /// Millimetres of the values of `$INSUNITS`; 0 is no unit.

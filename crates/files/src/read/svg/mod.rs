@@ -58,7 +58,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     let pen = Pen::new(source, drawing, options);
     let mut walk = Walk::new(&tree, pen, &options.layers)?;
     walk.root(root, Context::new(mirror * sheet.map, sheet.page))?;
-    walk.pen.drawing.finish(Format::Svg, source, options)
+    walk.pen.finish()?.finish(Format::Svg, source, options)
 }
 
 /// The outermost page: how large it is and what its numbers measure.

@@ -9,6 +9,7 @@
 mod any_bytes;
 mod broken_drawings;
 mod broken_models;
+mod cut_curves;
 mod documents;
 mod drawn;
 mod dxf;

@@ -1,0 +1,61 @@
+// @vitest-environment happy-dom
+import { act } from "react";
+import { createRoot, type Root } from "react-dom/client";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import type { LookResponse } from "../../generated/responses";
+import { asInput, CurveFields, cuttingFor } from "./CurveFields";
+
+Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: true });
+
+let host: HTMLElement;
+let root: Root;
+beforeEach(() => {
+  host = document.createElement("div");
+  document.body.append(host);
+  root = createRoot(host);
+});
+afterEach(() => {
+  act(() => root.unmount());
+  host.remove();
+});
+
+const edges = { shortest_edge_mm: 27.234, bend_radius_mm: 3 };
+const look = {
+  machine: "WireBend-kit",
+  machine_edges: edges,
+  edges: 6,
+  bends: 5,
+  curves: {
+    curves: 1,
+    deviation_mm: 1.83,
+    at_mm: [0, 0, 0],
+    coarser: 1,
+    too_short: 0,
+    tight: 0,
+    tightest_mm: null,
+    tightest_at_mm: null,
+  },
+} as unknown as LookResponse;
+
+describe("how curves are cut", () => {
+  it("begins with what the machine can make, and without one with the tolerance alone", () => {
+    // Rounded up: what is shown is never too short.
+    expect(asInput(cuttingFor({ machine_edges: edges }))).toEqual({ tolerance_mm: 0.1, shortest_edge: { mm: 27.3 } });
+    expect(asInput(cuttingFor({ machine_edges: null }))).toEqual({ tolerance_mm: 0.1 });
+  });
+
+  it("shows the machine, how far off the result is, and how much is bent", () => {
+    const changed = vi.fn();
+    act(() => root.render(<CurveFields cutting={cuttingFor(look)} look={look} onChange={changed} />));
+    expect(host.textContent).toContain("What WireBend-kit can make");
+    expect(host.querySelector("[role=status]")?.textContent).toMatch(/Largest deviation1\.8.* mm.*6 edges, 5 bends/);
+    act(() => host.querySelector<HTMLInputElement>("input[type=checkbox]")?.click());
+    expect(changed).toHaveBeenCalledWith({ tolerance: 0.1, limited: false, shortest: 27.3 });
+  });
+
+  it("promises no more than the tolerance where edges may be of any length", () => {
+    const cutting = { tolerance: 0.25, limited: false, shortest: 27.3 };
+    act(() => root.render(<CurveFields cutting={cutting} look={{ ...look, curves: null }} onChange={() => {}} />));
+    expect(host.querySelector("[role=status]")?.textContent).toMatch(/up to 0\.[23]/);
+  });
+});
