@@ -9,6 +9,7 @@ mod drawing;
 mod joins;
 mod lengths;
 mod preview;
+mod reach;
 mod scale;
 mod search;
 mod shares;
@@ -117,8 +118,9 @@ impl Editor {
     /// [`Editor::check`]: up to 3 fixes each, 6 for odd vertices, and 60 in all, with fewer for each where there are many. For each, those
     /// come first that leave the fewest errors, then those with the fewest wires, then those that add the least wire. Nothing is changed.
     ///
-    /// A fix corrects what it is for, at its place, and brings no more errors than there were, those aside that could
-    /// not be seen before for want of a route. At most 200 edits are tried, fewer of a design that takes long to plan.
+    /// A fix corrects what it is for, at its place, brings no more errors than there were, those aside that could
+    /// not be seen before for want of a route, and moves no vertex farther than the shortest edge at it or twice the
+    /// machine's. At most 200 edits are tried, fewer of a design that takes long to plan.
     /// Where there is much to fix, what is said last may be left without a fix.
     ///
     /// # Errors
@@ -235,7 +237,9 @@ fn fixes_for(
     let mut offered: Vec<TriedFix> = Vec::new();
     for candidate in candidates {
         let tried = trials.of(&candidate.edit);
-        let good = tried.filter(|trial| verdict::is_fixed(base, trial, diagnostic));
+        let good = tried.filter(|trial| {
+            verdict::is_fixed(base, trial, diagnostic) && reach::is_near(&candidate.edit, trial, trials)
+        });
         if let Some(trial) = good.filter(|_| offered.iter().all(|(other, _)| *other != candidate)) {
             offered.push((candidate, trial));
         }

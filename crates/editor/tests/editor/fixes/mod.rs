@@ -4,6 +4,7 @@ mod bends;
 mod drawing;
 mod examples;
 mod lengths;
+mod reach;
 mod stock;
 mod wires;
 

@@ -1,0 +1,33 @@
+//! How far a fix may move a vertex.
+
+use wirebend_core::wireframe::{VertexId, Wireframe};
+use wirebend_planning::MachineEdges;
+
+use super::super::EditRequest;
+use super::trials::{Trial, Trials};
+
+/// An edge of no length is made as long as the machine's shortest by moving its end that far; a lead before a bend, or an
+/// edge between sharp corners, is up to twice as long.
+const SHORTEST_EDGES: f64 = 2.0;
+
+/// Whether each vertex goes no farther than the shortest edge at it is long, or twice the machine's shortest edge where
+/// that is more. Beyond that it is another design and no repair. To scale the whole is no move of a vertex.
+pub(super) fn is_near(edit: &EditRequest, trial: &Trial, trials: &Trials) -> bool {
+    if matches!(edit, EditRequest::Transform { .. }) {
+        return true;
+    }
+    let least = SHORTEST_EDGES * MachineEdges::of(trials.machine()).shortest_edge_mm;
+    let wireframe = &trials.document().wireframe;
+    trial.change.wireframe.vertices.iter().all(|(&id, change)| match (change.before, change.after) {
+        (Some(before), Some(after)) => {
+            (after.position - before.position).norm() <= shortest_at(wireframe, id).max(least)
+        }
+        _ => true,
+    })
+}
+
+/// The length of the shortest edge at a vertex, mm; none of a vertex alone.
+fn shortest_at(wireframe: &Wireframe, id: VertexId) -> f64 {
+    let lengths = wireframe.incident(id).into_iter().map(|edge| wireframe.edge_length(edge).mm());
+    lengths.min_by(f64::total_cmp).unwrap_or(0.0)
+}
