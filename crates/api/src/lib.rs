@@ -19,8 +19,8 @@ pub use workspace::*;
 
 pub use wirebend_editor::{
     ChosenWalk, DesignState, DesignView, EdgeView, EditOutcome, EditRequest, Editor, EditorError, FilletPart,
-    Fix, FixChange, FixPreview, LiveCheck, MergePlace, Moved, PastedVertex, Placed, Unsaved, VertexView,
-    ViewChange, WireFigures,
+    Fix, FixAll, FixChange, FixPreview, LiveCheck, MergePlace, Moved, PastedVertex, Placed, Unsaved,
+    VertexView, ViewChange, WireFigures,
 };
 pub use wirebend_operation::by_hand::{DryRunRequest, JogRequest, JogResponse, ReplayRequest};
 pub use wirebend_operation::calibrate::CalibrateEnterRequest;

@@ -274,6 +274,8 @@ requests! {
         StopPrediction(workspace::StopPrediction) -> workspace::PredictionStopped = Workspace::stop_prediction, "stop-prediction";
         /// What would fix what the checks say, each tried beforehand.
         Fixes(workspace::FixesRequest) -> workspace::FixesResponse = Workspace::fixes, "fixes";
+        /// What would fix all that the checks say of a kind, as one change.
+        FixAll(workspace::FixAllRequest) -> workspace::FixAllResponse = Workspace::fix_all, "fix-all";
         /// The program of the design, as it is played.
         Program(workspace::ProgramRequest) -> workspace::ProgramResponse = Workspace::program, "program";
         /// The design as the machine bends it.

@@ -31,7 +31,7 @@ pub use collisions::CollisionCheck;
 use edit_journal::EditJournal;
 pub use edit_journal::Unsaved;
 pub use error::EditorError;
-pub use fixes::{Fix, FixChange, FixPreview};
+pub use fixes::{Fix, FixAll, FixChange, FixPreview};
 use history::{Done, History};
 pub use outcome::{EditOutcome, FilletPart};
 pub use request::{

@@ -46,3 +46,32 @@ it("shows at once what comes of the curve without a least length", async () => {
   await until(() => result().innerText()).toMatch(/(3\d|4\d) edges/);
   await dialog().getByRole("button", { name: "Cancel" }).click();
 });
+
+it("fixes all short edges by one change that one undo takes back", async () => {
+  await editor.take(null);
+  const comb = [
+    [0, 0],
+    [0, 80],
+    [12, 80],
+    [12, 0],
+    [27, 0],
+    [27, 80],
+    [41, 80],
+    [41, 0],
+  ];
+  await editor.loopback.ask("edit", { request: { edit: "draw", through_mm: comb.map(([x, y]) => [x, y, 0]) } });
+  await editor.reload("check");
+  const line = editor.section("check").locator(".line").filter({ hasText: "too short" }).first();
+  await line.getByRole("button", { name: /Fix…|List/ }).click();
+  const offer = editor.section("check").getByRole("region", { name: "Fix all of this kind" });
+  await offer.waitFor();
+  await editor.isClean("fix-all");
+  await offer.getByRole("button", { name: "Apply" }).click();
+  const short = async () =>
+    (await editor.loopback.ask("check", {})).diagnostics.filter(
+      ({ code }: { code: string }) => code === "edge_too_short",
+    ).length;
+  await until(short).toBe(0);
+  await editor.loopback.ask("undo", {});
+  await until(short).toBe(3);
+});

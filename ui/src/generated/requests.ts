@@ -681,6 +681,7 @@ export interface Requests {
   export: ExportDesign;
   "export-profile": ExportProfile;
   exports: ExportsRequest;
+  "fix-all": FixAllRequest;
   fixes: FixesRequest;
   frame: FrameDesign;
   "frame-choices": FrameChoicesRequest;
@@ -1113,6 +1114,15 @@ export interface ExportProfile {
  * Asks what can be written for the machine of the open design.
  */
 export interface ExportsRequest {}
+/**
+ * Asks what would fix all that the checks say of a kind, as one change.
+ */
+export interface FixAllRequest {
+  /**
+   * The kind, by its code.
+   */
+  code: string;
+}
 /**
  * Asks what would fix what the checks say.
  */

@@ -1868,6 +1868,7 @@ export interface Responses {
   export: ExportPreview;
   "export-profile": ExportedProfile;
   exports: ExportsResponse;
+  "fix-all": FixAllResponse;
   fixes: FixesResponse;
   frame: FrameShown;
   "frame-choices": FrameChoices;
@@ -3985,13 +3986,27 @@ export interface FormatEntry {
   };
 }
 /**
- * What would fix what the checks say.
+ * What would fix all of a kind.
  */
-export interface FixesResponse {
+export interface FixAllResponse {
   /**
-   * In the order of the diagnostics, the best of each first.
+   * Null where fewer than two can be fixed, or where that would bring more errors than there are.
    */
-  fixes: Fix[];
+  all: FixAll | null;
+}
+/**
+ * What fixes all findings of a kind, as one edit.
+ */
+export interface FixAll {
+  fix: Fix;
+  /**
+   * How many findings of the kind there are less.
+   */
+  fixed: number;
+  /**
+   * How many there are now.
+   */
+  of: number;
 }
 /**
  * Something that fixes what a check says. Lengths in mm.
@@ -4139,6 +4154,15 @@ export interface Moved {
    */
   at_mm: [number, number, number];
   vertex: number;
+}
+/**
+ * What would fix what the checks say.
+ */
+export interface FixesResponse {
+  /**
+   * In the order of the diagnostics, the best of each first.
+   */
+  fixes: Fix[];
 }
 /**
  * The open design as a frame, and what the view draws of it.

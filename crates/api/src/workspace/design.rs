@@ -10,10 +10,10 @@ use wirebend_files::document::DocumentError;
 
 use super::{RecentEntry, Workspace, empty};
 use crate::{
-    ApiError, DesignInput, DesignView, EditOutcome, EditRequest, Editor, Fix, Input, LiveCheck, Moved,
-    Progress, Unsaved, ViewChange,
+    ApiError, DesignInput, DesignView, EditOutcome, EditRequest, Editor, Fix, FixAll, Input, LiveCheck,
+    Moved, Progress, Unsaved, ViewChange,
 };
-use wirebend_planning::report::NoteReport;
+use wirebend_planning::report::{DiagnosticCode, NoteReport};
 
 /// What a window needs when it opens.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -134,6 +134,20 @@ pub struct FixesResponse {
     pub fixes: Vec<Fix>,
 }
 
+/// Asks what would fix all that the checks say of a kind, as one change.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct FixAllRequest {
+    /// The kind, by its code.
+    pub code: String,
+}
+
+/// What would fix all of a kind.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct FixAllResponse {
+    /// Null where fewer than two can be fixed, or where that would bring more errors than there are.
+    pub all: Option<FixAll>,
+}
+
 /// Closes the design; what is not saved is gone. An empty one takes its place.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct CloseDesign {}
@@ -246,6 +260,19 @@ impl Workspace {
             search.fixes(&app)?
         };
         Ok(FixesResponse { fixes })
+    }
+
+    pub(crate) fn fix_all(
+        &self,
+        asked: &FixAllRequest,
+        _: &dyn Progress,
+    ) -> Result<FixAllResponse, ApiError> {
+        let app = self.installation();
+        let search = self.open().fix_search(&app)?;
+        // What is no code has no findings.
+        let code = DiagnosticCode::ALL.iter().find(|code| code.as_str() == asked.code);
+        let all = code.map_or(Ok(None), |code| search.fix_all(&app, *code))?;
+        Ok(FixAllResponse { all })
     }
 
     pub(crate) fn save(&self, asked: &SaveDesign, _: &dyn Progress) -> Result<DesignOpened, ApiError> {

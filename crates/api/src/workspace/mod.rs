@@ -40,9 +40,9 @@ pub use about::{AboutRequest, AboutResponse};
 pub use calibrations::ApplyCalibration;
 pub use collisions::{CheckCollisions, CollisionsStopped, StopCollisions};
 pub use design::{
-    CheckDesign, ClearRecent, CloseDesign, DesignOpened, DiscardUnsaved, EditDesign, EditMade, FixesRequest,
-    FixesResponse, NewDesign, OpenDesign, OpenExample, OutcomeRequest, OutcomeResponse, PutStencil, Redo,
-    RestoreUnsaved, SaveDesign, Start, Started, Undo,
+    CheckDesign, ClearRecent, CloseDesign, DesignOpened, DiscardUnsaved, EditDesign, EditMade, FixAllRequest,
+    FixAllResponse, FixesRequest, FixesResponse, NewDesign, OpenDesign, OpenExample, OutcomeRequest,
+    OutcomeResponse, PutStencil, Redo, RestoreUnsaved, SaveDesign, Start, Started, Undo,
 };
 pub use error::ApiErrorReport;
 pub use examples::{ExampleEntry, ExamplesRequest, ExamplesResponse};

@@ -3,6 +3,7 @@
 //! A file for each kind of trouble proposes edits. Every one is made on a copy of the design and planned; a person is
 //! offered only what fixes it.
 
+mod all;
 mod bends;
 mod cuts;
 mod drawing;
@@ -32,6 +33,7 @@ use wirebend_planning::text::shown;
 use super::check::{LiveCheck, WireFigures};
 use super::{EditRequest, Editor};
 use crate::EditorError;
+pub use all::FixAll;
 pub use preview::FixPreview;
 use trials::{Trial, Trials};
 use wirebend_planning::Installation;

@@ -179,6 +179,11 @@ impl<'a> Trials<'a> {
         self.until = MAX_TRIALS.min(self.tried.len() + share.max(MIN_SHARE));
     }
 
+    /// How many edits were tried.
+    pub fn count(&self) -> usize {
+        self.tried.len()
+    }
+
     /// The design after an edit; none where it cannot be made, or enough was tried.
     pub fn of(&mut self, edit: &EditRequest) -> Option<Rc<Trial>> {
         if let Some((_, trial)) = self.tried.iter().find(|(tried, _)| tried == edit) {

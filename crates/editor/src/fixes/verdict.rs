@@ -13,8 +13,12 @@ pub(super) fn is_fixed(before: &Trial, after: &Trial, diagnostic: &Diagnostic) -
     let here = |trial: &Trial| trial.diagnostics().filter(|d| same_place(d, diagnostic)).count();
     said(after) < said(before)
         && here(after) < here(before)
-        && no_more_errors(before, after)
-        && (diagnostic.is_error() || after.warnings() <= before.warnings())
+        && is_no_worse(before, after, diagnostic.is_error())
+}
+
+/// Whether there are no more errors than before, and no more warnings where it is not for an error.
+pub(super) fn is_no_worse(before: &Trial, after: &Trial, for_error: bool) -> bool {
+    no_more_errors(before, after) && (for_error || after.warnings() <= before.warnings())
 }
 
 /// Whether two diagnostics say the same of the same place. Steps are counted anew by every route, so that only vertices

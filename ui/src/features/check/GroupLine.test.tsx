@@ -8,6 +8,7 @@ vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Erro
 
 import type { DiagnosticReport, Fix, LiveCheck } from "../../generated/responses";
 import { useDesign } from "../../state/design/design";
+import { useFixAll } from "../../state/design/fix_all";
 import { useFixes } from "../../state/design/fixes";
 import { useSelection } from "../../state/design/selection";
 import { useUi } from "../../state/window/ui";
@@ -82,6 +83,25 @@ describe("a line of the checks", () => {
     expect([...useSelection.getState().highlight.edges]).toEqual([7]);
     act(() => root.render(null));
     expect([...useSelection.getState().highlight.edges]).toEqual([]);
+  });
+
+  it("offers one change for all of a kind, with what it fixes and leaves", async () => {
+    const other = report("edge_too_short", { edge: 9, edges: [9] });
+    const all = { fix: { ...fix, title: "Fix 2 of 3 places" }, fixed: 2, of: 3 };
+    platform.ask.mockReset().mockResolvedValue({ all });
+    show([short, other]);
+    await act(async () => button("Fix…").click());
+    expect(platform.ask.mock.calls).toEqual([["fix-all", { code: "edge_too_short" }]]);
+    expect(host.querySelector(".fix-all")?.textContent).toContain("2 places fixed, 1 left");
+    expect(button("Apply").getAttribute("aria-disabled")).toBeNull();
+  });
+
+  it("offers no change of all where none is better than the design as it is", async () => {
+    platform.ask.mockReset().mockResolvedValue({ all: null });
+    useFixAll.setState({ of: null, found: new Map() });
+    show([short, report("edge_too_short", { edge: 9, edges: [9] })]);
+    await act(async () => button("Fix…").click());
+    expect(host.querySelector(".fix-all")).toBeNull();
   });
 
   it("leads to the wires where the wire does not fit the machine", () => {

@@ -5,10 +5,12 @@ import { sentence } from "../../shared/figures/format";
 import { useUnit } from "../../shared/figures/unit";
 import { Mark } from "../../shared/lists/Mark";
 import { useDesign } from "../../state/design/design";
+import { isCollision } from "../../state/design/findings";
 import { fixesOf, useFixes } from "../../state/design/fixes";
 import { highlight, select } from "../../state/design/selection";
 import { frame } from "../../state/window/view";
 import { placesOf } from "../viewport/marks";
+import { FixAllOffer } from "./FixAllOffer";
 import { FixList } from "./FixList";
 import { figuresOf, type Group, measureText, sourceOf, TONES, titleOf, whatOf } from "./texts";
 import { wayOut } from "./ways";
@@ -119,6 +121,7 @@ export function GroupLine({ group }: { readonly group: Group }) {
       {open && folds && (
         <div className="line-more">
           {single && <FixList fixes={fixes} />}
+          {!single && first && fixable && !isCollision(first.code) && <FixAllOffer code={first.code} />}
           {!single && (
             <ul className="members">
               {reports.slice(0, MAX).map((report, index) => (

@@ -1,5 +1,6 @@
 //! Fixes: each does what it says, and for what a machine cannot make there is one.
 
+mod all;
 mod bends;
 mod drawing;
 mod examples;

@@ -1,0 +1,34 @@
+import { useEffect } from "react";
+import type { DiagnosticReport } from "../../generated/responses";
+import { count } from "../../shared/figures/format";
+import { useDesign } from "../../state/design/design";
+import { needFixAll, useFixAll } from "../../state/design/fix_all";
+import { FixList } from "./FixList";
+
+/** One change for all findings of a kind, with how many it fixes and how many stay; nothing where there is none. */
+export function FixAllOffer({ code }: { readonly code: DiagnosticReport["code"] }) {
+  const limits = useDesign((design) => design.limits);
+  const { of, found } = useFixAll();
+  useEffect(() => {
+    if (limits) void needFixAll(code);
+  }, [limits, code]);
+  const answer = of === limits ? found.get(code) : undefined;
+  if (answer?.looking)
+    return (
+      <p className="muted small" role="status">
+        Trying the fixes of all places together…
+      </p>
+    );
+  const all = answer?.all;
+  if (!all) return null;
+  const left = all.of - all.fixed;
+  return (
+    <section className="fix-all" aria-label="Fix all of this kind">
+      <h3>Fix all of this kind</h3>
+      <p className="muted small">
+        {count(all.fixed, "place")} fixed, {left === 0 ? "none" : left} left. One step to undo.
+      </p>
+      <FixList fixes={[all.fix]} />
+    </section>
+  );
+}
