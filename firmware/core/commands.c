@@ -1,6 +1,7 @@
 #include "commands.h"
 
 #include "hal.h"
+#include "motion/bend.h"
 #include "motion/limits.h"
 #include "replies.h"
 
@@ -45,12 +46,6 @@ static int32_t approach_of(const struct wb_command *line)
     return line->letter == WB_COMMAND_MOVE ? line->field[3] : 0;
 }
 
-/* Whether the peg comes out on the side from which it bends. */
-static bool validate_approach(int32_t bend, int32_t approach)
-{
-    return approach == 0 || (bend != 0 && (bend < 0) != (approach < 0));
-}
-
 /* Why a line cannot be accepted; 0 when it can. */
 static uint8_t validate(const struct wb_controller *c, const struct wb_command *line)
 {
@@ -76,7 +71,7 @@ static uint8_t validate(const struct wb_controller *c, const struct wb_command *
     if (!c->motion.homed) {
         return WB_ERROR_NOT_HOMED;
     }
-    if (!validate_approach(line->field[2], approach_of(line))) {
+    if (!wb_bend_possible(&c->settings, line->field[2], approach_of(line))) {
         return WB_ERROR_RANGE;
     }
     bool allowed = wb_limits_allow_move(&c->settings, &c->queue, line->field[0], line->field[1], line->field[2]) &&

@@ -18,7 +18,7 @@
 /* Version of the wire protocol; the host refuses another. */
 #define WB_PROTOCOL 1
 /* Version of this firmware: 100 * major + minor. */
-#define WB_FIRMWARE 112
+#define WB_FIRMWARE 113
 
 struct wb_controller {
     void *board; /* what the board wants of every hal_ function */

@@ -62,6 +62,20 @@ void world_check(struct world *world)
     MUST(!motion->stepper.latched || wb_state(&c->safety, motion, &c->queue) == WB_STATE_ALARM);
 }
 
+/* Rules of a pulse that bends or backs off, after which the axis is at `position`. */
+static void bends(const struct wb_controller *before, int32_t position)
+{
+    const struct wb_line *line = &before->motion.line;
+    int32_t near = wb_setting(&before->settings, WB_SETTING_NEAR_SIDE);
+    int32_t out = size(line->approach) > near ? size(line->approach) : near;
+    int32_t side = before->motion.peg.wire_side;
+    /* The peg bends away from where it came out, and no farther than it is told; it goes back no farther than there. */
+    MUST(side == 1 || side == -1);
+    MUST(line->approach == 0 ? side * line->bend > 0 : side * line->approach < 0);
+    MUST(side * position >= -out);
+    MUST(before->motion.phase != WB_PHASE_BEND || side * position <= side * line->bend);
+}
+
 /* Rules of a pulse; `before` is the controller before it. */
 static void pulse(struct world *world, const struct wb_host_event *event, const struct wb_controller *before)
 {
@@ -83,6 +97,9 @@ static void pulse(struct world *world, const struct wb_host_event *event, const 
     bool peg_out = (phase == WB_PHASE_BEND && !dry) || phase == WB_PHASE_BACK_OFF || phase == WB_PHASE_CLEAR_WIRE;
     MUST(peg_out || world->peg_us == wb_setting(&c->settings, WB_SETTING_PEG_IN_US));
     MUST(!peg_out || axis == WB_BEND);
+    if (peg_out && phase != WB_PHASE_CLEAR_WIRE) {
+        bends(before, position);
+    }
     if (axis == WB_BEND) {
         world->bend += (event->on != 0) != inverted ? 1 : -1;
         world_look_at_switch(world);

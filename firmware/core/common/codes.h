@@ -4,7 +4,7 @@
 
 #define WB_COMMAND_SESSION 'S' /* Opens the session with this id of 1 to 65534; the same id again changes nothing. Sealed with 65535 */
 #define WB_COMMAND_QUERY 'Q' /* Asks for the status */
-#define WB_COMMAND_MOVE 'M' /* Line n: feeds, rotates, then bends. All in steps: feed and rotation are relative, the bend goes from zero to its angle and back. The peg comes out at `approach`, a position of the other sign than the bend, or at the near side where that is farther; it may be left out, and is since firmware 1.11 */
+#define WB_COMMAND_MOVE 'M' /* Line n: feeds, rotates, then bends. All in steps: feed and rotation are relative, the bend goes from zero to its angle and back. The peg comes out at `approach`, or at the near side of the same sign where that is farther, and bends to the other side; since firmware 1.13 the bend may so end at zero or before it, short of where the peg came out. `approach` may be left out or 0, and is since firmware 1.11: the bend is then to the side of its sign */
 #define WB_COMMAND_DRY 'Y' /* Line n: a dry-run move. As a move, but the peg stays in, the bend axis goes to its angle and back, and each axis moves at a quarter of its speed, not below 31 steps/s. Since firmware 1.12 */
 #define WB_COMMAND_HOME 'H' /* Line n: homes the bend axis, then moves it to zero */
 #define WB_COMMAND_PEG 'K' /* Line n: the peg in (0) or out (1) */

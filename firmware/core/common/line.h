@@ -10,7 +10,7 @@ struct wb_line {
     int32_t feed;     /* steps; of a peg line 1 for out, 0 for in */
     int32_t rotate;   /* steps */
     int32_t bend;     /* steps from zero; the axis returns to zero after it */
-    int32_t approach; /* steps from zero: where the peg comes out where that is beyond the near side; 0 where it is not */
+    int32_t approach; /* steps from zero: where the peg comes out, at least; 0: at the near side, and the bend's sign is its side */
 };
 
 #endif

@@ -9,9 +9,19 @@ int32_t wb_bend_near(const struct wb_settings *settings, int32_t approach)
     return asked > near ? asked : near;
 }
 
-int32_t wb_bend_target(const struct wb_settings *settings, uint8_t phase, int32_t bend, int32_t near)
+int8_t wb_bend_side(const struct wb_line *line)
 {
-    int32_t side = bend < 0 ? -1 : 1;
+    int32_t towards = line->approach != 0 ? -line->approach : line->bend;
+    return (int8_t)((towards > 0) - (towards < 0));
+}
+
+bool wb_bend_possible(const struct wb_settings *settings, int32_t bend, int32_t approach)
+{
+    return approach == 0 || (approach < 0 ? bend : -bend) > -wb_bend_near(settings, approach);
+}
+
+int32_t wb_bend_target(const struct wb_settings *settings, uint8_t phase, int8_t side, int32_t bend, int32_t near)
+{
     int32_t back = side * bend - wb_setting(settings, WB_SETTING_BACK_OFF);
     switch (phase) {
     case WB_PHASE_APPROACH:

@@ -129,7 +129,7 @@ static bool begin(struct wb_motion *motion, const struct wb_settings *settings, 
         return move_peg(motion, settings, clock, WB_PEG_IN);
     case WB_PHASE_PEG_OUT:
         motion->approach = line->approach;
-        wb_peg_set_wire_side(&motion->peg, board, line->bend < 0 ? -1 : 1);
+        wb_peg_set_wire_side(&motion->peg, board, wb_bend_side(line));
         return move_peg(motion, settings, clock, WB_PEG_OUT);
     case WB_PHASE_PEG_MANUAL:
         return move_peg(motion, settings, clock, line->feed ? WB_PEG_OUT : WB_PEG_IN);
@@ -147,7 +147,8 @@ static bool begin(struct wb_motion *motion, const struct wb_settings *settings, 
     case WB_PHASE_RETURN:
     case WB_PHASE_HOME_ZERO:
         return move_bend(motion, settings,
-                         wb_bend_target(settings, motion->phase, line->bend, wb_bend_near(settings, line->approach)));
+                         wb_bend_target(settings, motion->phase, wb_bend_side(line), line->bend,
+                                        wb_bend_near(settings, line->approach)));
     default:
         return wb_homing_move(settings, wb_switch_pressed(settings, board), motion->phase, &move) &&
                move_axis(motion, settings, &move);
@@ -160,7 +161,7 @@ static uint8_t next_phase(const struct wb_motion *motion)
     case WB_PHASE_RETRACT:
         return motion->line.letter == WB_COMMAND_HOME ? WB_PHASE_HOME_RELEASE : WB_PHASE_FEED;
     case WB_PHASE_ROTATE:
-        if (motion->line.bend == 0) {
+        if (wb_bend_side(&motion->line) == 0) {
             return WB_PHASE_NONE;
         }
         return is_dry(motion) ? WB_PHASE_BEND : WB_PHASE_APPROACH;

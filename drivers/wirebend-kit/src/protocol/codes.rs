@@ -10,7 +10,7 @@ pub enum Command {
     Session = b'S',
     /// Asks for the status.
     Query = b'Q',
-    /// Line n: feeds, rotates, then bends. All in steps: feed and rotation are relative, the bend goes from zero to its angle and back. The peg comes out at `approach`, a position of the other sign than the bend, or at the near side where that is farther; it may be left out, and is since firmware 1.11.
+    /// Line n: feeds, rotates, then bends. All in steps: feed and rotation are relative, the bend goes from zero to its angle and back. The peg comes out at `approach`, or at the near side of the same sign where that is farther, and bends to the other side; since firmware 1.13 the bend may so end at zero or before it, short of where the peg came out. `approach` may be left out or 0, and is since firmware 1.11: the bend is then to the side of its sign.
     Move = b'M',
     /// Line n: a dry-run move. As a move, but the peg stays in, the bend axis goes to its angle and back, and each axis moves at a quarter of its speed, not below 31 steps/s. Since firmware 1.12.
     Dry = b'Y',

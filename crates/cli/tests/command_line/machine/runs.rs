@@ -280,7 +280,7 @@ fn settings_are_compared_and_written() {
     let found = shop.run(&[&at[..], &["--json"]].concat()).ended(0).json();
     assert_fits("machine-settings", &found);
     assert_eq!((&found["fits"], &found["written"]), (&json!(true), &json!(false)));
-    assert!(found["identity"].as_str().unwrap().contains("firmware 1.12"), "{found}");
+    assert!(found["identity"].as_str().unwrap().contains("firmware 1.13"), "{found}");
     let said = shop.run(&[&at[..], &["--write"]].concat()).ended(2).err;
     assert!(said.contains("--yes"), "{said}");
     let found = shop.run(&[&at[..], &["--write", "--yes", "--json"]].concat()).ended(0).json();

@@ -12,7 +12,7 @@ use wirebend_driver_api::{Axis, Direction, Event, HeadBy, Motion, PausedBy, Step
 fn a_machine_is_met_homed_and_armed() {
     let mut table = Table::new(json!({}));
     let Event::Connected { identity, settings, homed, resume, .. } = table.connected() else { panic!() };
-    assert_eq!((identity.as_str(), homed, resume), ("WireBend-kit, firmware 1.12", false, None));
+    assert_eq!((identity.as_str(), homed, resume), ("WireBend-kit, firmware 1.13", false, None));
     assert_eq!(settings, [], "a machine that was set up as its profile says");
     table.home();
     let token = table.arm(0, 1, 0.0);

@@ -70,13 +70,65 @@ fn the_peg_comes_out_where_a_line_says() {
     comes_out::<Host>();
 }
 
+/// Where the bend axis stood each time that it turned round, from zero on, and at its end.
+fn turns<B: Board>(talk: &Talk<B>, from: usize) -> Vec<i64> {
+    let mut places = vec![0];
+    let mut last = None;
+    for seen in &talk.table.seen[from..] {
+        if let What::Pulse { axis: BEND, forward } = seen.what {
+            let at = places.last().copied().unwrap_or_default();
+            if last.replace(forward) != Some(forward) {
+                places.push(at);
+            }
+            if let Some(end) = places.last_mut() {
+                *end += if forward { 1 } else { -1 };
+            }
+        }
+    }
+    places.split_off(1)
+}
+
+/// A wire that springs back little is bent enough before the peg is at zero: on the side from which it comes, the axis stops, goes
+/// back to where the peg came out, and then to zero.
+fn before_zero<B: Board>() {
+    for side in [1, -1] {
+        for (said, out) in [(600, NEAR_SIDE), (NEAR_SIDE, NEAR_SIDE), (1450, 1450)] {
+            // As far as to the last step before where the peg came out.
+            for stop in [300, 0, -300, 1 - out] {
+                let line = format!("M2,0,0,{},{}", side * stop, -side * said);
+                let mut talk = Talk::<B>::homed();
+                let (from, zero) = (talk.table.seen.len(), pegs_zero(&talk));
+                talk.say(&line);
+                talk.wait(60_000);
+                assert_eq!(talk.status().done, 2, "{}: {line}", B::NAME);
+                let back = (stop - BACK_OFF).max(-out);
+                let expected = [-out, stop, if back < 0 { back } else { 0 }, 0].map(|at| side * at);
+                let expected = if back == 0 { &expected[..3] } else { &expected[..] };
+                assert_eq!(turns(&talk, from), expected, "{}: {line}", B::NAME);
+                let moved = pegs(&talk, from).into_iter().map(|(width, at)| (width, at - zero));
+                assert_eq!(moved.collect::<Vec<_>>(), [(OUT, -side * out), (IN, side * back)], "{line}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_bend_may_stop_at_zero_or_before_it() {
+    before_zero::<Avr>();
+    before_zero::<Host>();
+}
+
 fn refused<B: Board>() {
     let mut talk = Talk::<B>::homed();
     // 2 is the range and 6 the soft limit; 77 is M.
     for (line, code) in [
         ("M2,0,0,1400,1200", 2),
         ("M2,0,0,-1400,-1200", 2),
-        ("M2,0,0,0,-1200", 2),
+        // Where the peg comes out, or farther out, nothing is bent.
+        ("M2,0,0,-1200,-1200", 2),
+        ("M2,0,0,1089,700", 2),
+        ("M2,0,0,-1089,-1", 2),
+        ("M2,0,0,-1300,-1200", 2),
         ("M2,0,0,1400,-1200,0", 2),
         ("M2,0,0,1400,", 2),
         ("M2,0,0,1400,-99999", 6),
@@ -87,15 +139,16 @@ fn refused<B: Board>() {
 }
 
 #[test]
-fn a_place_on_the_wrong_side_or_beyond_the_limit_is_refused() {
+fn a_bend_that_ends_no_farther_than_the_peg_comes_out_or_beyond_the_limit_is_refused() {
     refused::<Avr>();
     refused::<Host>();
 }
 
-/// Stopped while it presses wire that it met before zero, it goes back as far as it came, not only to the near side.
-fn after_a_stop<B: Board>() {
+/// Stopped while it presses wire that it met before zero, it goes back as far as it came, not only to the near side: to the side of
+/// the line, whatever the sign of its bend.
+fn after_a_stop<B: Board>(bend: i64) {
     let mut talk = Talk::<B>::homed();
-    talk.say("M2,0,0,1400,-1450");
+    talk.say(&format!("M2,0,0,{bend},-1450"));
     let out = |talk: &mut Talk<B>| {
         let status = talk.status();
         status.peg_out == Some(true) && i64::from(status.position[BEND]) > -1440
@@ -121,6 +174,8 @@ fn after_a_stop<B: Board>() {
 
 #[test]
 fn after_a_stop_the_peg_goes_back_as_far_as_it_came() {
-    after_a_stop::<Avr>();
-    after_a_stop::<Host>();
+    for bend in [1400, 0, -200] {
+        after_a_stop::<Avr>(bend);
+        after_a_stop::<Host>(bend);
+    }
 }

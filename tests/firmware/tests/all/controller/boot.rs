@@ -8,7 +8,7 @@ use wirebend_tests_firmware::board::{Avr, Board, Host, What};
 
 /// Protocol 1, firmware 1.12, machine 1, the cause, and how often it has started.
 fn boot(cause: u8, boots: u32) -> String {
-    format!("b1,112,1,{cause},{boots}")
+    format!("b1,113,1,{cause},{boots}")
 }
 
 fn causes<B: Board>() {
@@ -57,7 +57,7 @@ fn in_motion<B: Board>() {
     talk.wait(500);
     let pulses = talk.table.pulses();
     talk.reset(Reset::External);
-    assert!(talk.taken()[0].starts_with("b1,112,1,1,"));
+    assert!(talk.taken()[0].starts_with("b1,113,1,1,"));
     talk.wait(3000);
     assert_eq!(talk.table.pulses(), pulses, "{}: nothing resumes by itself", B::NAME);
     talk.say_sealed("M4,100,0,0", SESSION);

@@ -20,7 +20,7 @@ fn said(uno: &mut Uno) -> String {
 fn started() -> Uno {
     let mut uno = Uno::new(&firmware("howtomechatronics")).unwrap();
     uno.set_input(SWITCH.0, SWITCH.1, true).unwrap();
-    assert!(said(&mut uno).starts_with("b1,112,2,0,0*"), "machine 2");
+    assert!(said(&mut uno).starts_with("b1,113,2,0,0*"), "machine 2");
     uno.send(&sealed(&format!("S{SESSION}"), NO_SESSION));
     uno.send(&sealed("L", SESSION));
     assert!(said(&mut uno).contains("v1,48000*"), "48 steps a millimetre");

@@ -64,10 +64,10 @@ fn same_again<B: Board>() {
     talk.say("M2,6000,0,0");
     talk.wait(700);
     // The session that is open, in motion: sent again, and nothing changes.
-    assert_eq!(session(&mut talk, SESSION), [format!("o{SESSION},2,1,1,112,1,0")]);
+    assert_eq!(session(&mut talk, SESSION), [format!("o{SESSION},2,1,1,113,1,0")]);
     assert_eq!(session(&mut talk, 5), ["e1,3,83"], "{}: another one only at rest", B::NAME);
     assert!(talk.done(2, 5000));
-    assert_eq!(session(&mut talk, SESSION), [format!("o{SESSION},2,2,1,112,1,0")]);
+    assert_eq!(session(&mut talk, SESSION), [format!("o{SESSION},2,2,1,113,1,0")]);
     let at = talk.table.counted;
     talk.begin_session(5);
     let status = talk.status();

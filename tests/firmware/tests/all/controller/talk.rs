@@ -54,7 +54,7 @@ impl<B: Board> Talk<B> {
         let said = self.taken();
         let [open] = said.as_slice() else { panic!("{}: {said:?}", B::NAME) };
         // How often it has started comes last.
-        assert!(open.starts_with(&format!("o{id},0,0,1,112,1,")), "{}: {open}", B::NAME);
+        assert!(open.starts_with(&format!("o{id},0,0,1,113,1,")), "{}: {open}", B::NAME);
     }
 
     /// Homed by line 1, the peg in. The way from the switch to zero is made short, which saves ten seconds of time.

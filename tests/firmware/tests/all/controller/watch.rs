@@ -103,7 +103,7 @@ fn hangs(interrupts: bool) {
     let pulses = talk.table.pulses();
     talk.after_reset();
     let boot = talk.taken();
-    assert!(boot[0].starts_with("b1,112,1,3,"), "cause 3 is the watchdog: {boot:?}");
+    assert!(boot[0].starts_with("b1,113,1,3,"), "cause 3 is the watchdog: {boot:?}");
     assert_eq!(talk.table.seen.last().map(|seen| seen.what), Some(What::Motors(false)), "the motors are off");
     talk.begin_session(7);
     let status = talk.status();
@@ -129,7 +129,7 @@ fn a_hang_is_told_although_the_boot_loader_clears_the_cause() {
     uno.reset(ResetCause::External, Ram::Kept);
     uno.forget_reset_cause();
     talk.after_reset();
-    assert!(talk.taken()[0].starts_with("b1,112,1,1,"), "1 is the reset pin");
+    assert!(talk.taken()[0].starts_with("b1,113,1,1,"), "1 is the reset pin");
     let uno = &mut talk.table.board.uno;
     uno.derail("_exit", 2).unwrap();
     let hung = uno.cycle();
@@ -139,7 +139,7 @@ fn a_hang_is_told_although_the_boot_loader_clears_the_cause() {
     }
     uno.forget_reset_cause();
     talk.after_reset();
-    assert!(talk.taken()[0].starts_with("b1,112,1,3,"), "3 is the watchdog");
+    assert!(talk.taken()[0].starts_with("b1,113,1,3,"), "3 is the watchdog");
     talk.begin_session(7);
     assert_eq!(talk.status().alarm, Alarm::Watchdog);
     // And noise in the RAM is no hang.
@@ -148,7 +148,7 @@ fn a_hang_is_told_although_the_boot_loader_clears_the_cause() {
         talk.table.board.uno.forget_reset_cause();
         talk.after_reset();
         let boot = talk.taken();
-        assert!(boot[0].starts_with("b1,112,1,1,"), "noise {seed}: {boot:?}");
+        assert!(boot[0].starts_with("b1,113,1,1,"), "noise {seed}: {boot:?}");
     }
 }
 
@@ -185,5 +185,5 @@ fn there_is_no_returning_to_what_is_not_there() {
     let mut talk = Talk::<Avr>::new();
     assert!(matches!(talk.table.board.uno.derail("nobody", 0), Err(UnoError::NoSymbol { .. })));
     talk.reset(Reset::External);
-    assert!(talk.taken()[0].starts_with("b1,112,1,1,"));
+    assert!(talk.taken()[0].starts_with("b1,113,1,1,"));
 }
