@@ -42,8 +42,9 @@ extern "C" {
    ("ports", "write-settings") and events ("settings-written", "made"), and keys with defaults in those of
    1.0: "resume" of "connect", "token" in the reply of "arm", "going_on" of "connected". 1.2 has the call "limits",
    and one key more, "reference" of "connected": "machine" (the default) or "person". 1.5 has the call and the event "speed",
-   and the key "dry" of "jog", for drivers with the capabilities "speed" and "dry-run" alone. docs/drivers.md has all of them. */
-#define WIREBEND_ABI_MINOR 5u
+   and the key "dry" of "jog", for drivers with the capabilities "speed" and "dry-run" alone. 1.6 has the
+   capability "before-zero": "approach_deg" and "bend_deg" of a step may have one sign. docs/drivers.md has all of them. */
+#define WIREBEND_ABI_MINOR 6u
 
 /* What a function returns. */
 #define WIREBEND_OK 0      /* done; the buffer holds the result */

@@ -54,6 +54,8 @@ pub enum Capability {
     DryRun,
     /// Changes its speed while it runs. Since 1.5.
     Speed,
+    /// Takes bends whose axis stops at zero or before it: see [`Step::approach_deg`](crate::Step::approach_deg). Since 1.6.
+    BeforeZero,
     /// Something of a later minor version, which this one does not know.
     #[serde(other)]
     #[schemars(skip)]

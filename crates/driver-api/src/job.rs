@@ -77,8 +77,20 @@ pub struct Step {
     pub bend_deg: f64,
     /// Where the bend axis has to stand, or beyond, when the peg comes out to bend, degrees: of the other sign than the bend. Nearer
     /// to zero there is wire that was bent before. Absent where the machine's own place will do. Since 1.4.
+    ///
+    /// Since 1.6, for drivers with [`Capability::BeforeZero`](crate::Capability::BeforeZero) alone, it may have the sign of
+    /// `bend_deg` and be farther from zero, or `bend_deg` be zero: the axis stops before zero, and bends to the other side than the
+    /// one where the peg comes out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub approach_deg: Option<f64>,
+}
+
+impl Step {
+    /// Whether its bend ends at zero or before it, on the side where the peg comes out.
+    #[must_use]
+    pub fn ends_before_zero(&self) -> bool {
+        self.approach_deg.is_some_and(|at| at * self.bend_deg >= 0.0)
+    }
 }
 
 /// A step of the design, with the length of its straight part: a type of its own, because its signs are the canonical ones

@@ -9,7 +9,8 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 use wirebend_driver_api::conformance::{Broken, Subject};
 use wirebend_driver_api::{
-    Call, Description, DriverError, Encode, Encoded, Event, Job, Limits, Port, Ports, Reply, deadline,
+    Call, Capability, Content, Description, DriverError, Encode, Encoded, Event, Job, Limits, Port, Ports,
+    Reply, Step, deadline,
 };
 
 use crate::child::MINOR;
@@ -130,11 +131,31 @@ impl OpenDriver {
     /// # Errors
     /// [`HostError`].
     pub fn encode(&self, format: &str, job: Job) -> Result<Encoded, HostError> {
+        let told = self.description().format(format).is_some_and(|format| format.content == Content::Machine);
+        for (wire, steps) in job.wires.iter().enumerate().filter(|_| told) {
+            let place = |step: usize| format!("step {} of wire {}", step + 1, wire + 1);
+            let steps = steps.machine.iter().flatten().enumerate();
+            steps.map(|(step, told)| (place(step), told)).try_for_each(|(at, told)| self.takes(&at, told))?;
+        }
         self.call_for(
             "the job",
             &Call::Encode(Box::new(Encode { format: format.to_owned(), job })),
             deadline::ENCODE,
         )
+    }
+
+    /// Refuses a step that a driver without the capability would bend to the wrong side. `at`: which step it is.
+    pub(crate) fn takes(&self, at: &str, step: &Step) -> Result<(), HostError> {
+        if !step.ends_before_zero() || self.description().can(Capability::BeforeZero) {
+            return Ok(());
+        }
+        let message = format!(
+            "the bend axis stops before zero in {at}, at {:.2}°, and this driver cannot tell its machine to which side that is",
+            step.bend_deg
+        );
+        let help = "set 'bend.before_zero' of the machine's profile to false, and plan the design again";
+        let error = DriverError::new("unsupported", message, help);
+        Err(HostError::Refused { driver: self.description().id.clone(), error })
     }
 
     /// The ports that one of its machines can be at.

@@ -16,7 +16,11 @@ pub(crate) fn wire(job: &Job, index: usize) -> Result<EncodedFile, DriverError> 
     if !hash.is_empty() {
         let _ = writeln!(text, "# design {hash}");
     }
-    for &Step { feed_mm, rotate_deg, bend_deg, .. } in steps {
+    for (step, told) in steps.iter().enumerate() {
+        let &Step { feed_mm, rotate_deg, bend_deg, .. } = told;
+        if told.ends_before_zero() {
+            return Err(no_side(index, step, bend_deg));
+        }
         let _ = writeln!(text, "F {}", fixed(feed_mm, DECIMALS));
         for (letter, angle) in [("R", rotate_deg), ("B", bend_deg)] {
             let angle = fixed(angle, DECIMALS);
@@ -26,4 +30,18 @@ pub(crate) fn wire(job: &Job, index: usize) -> Result<EncodedFile, DriverError> 
         }
     }
     Ok(EncodedFile { text })
+}
+
+/// The format is that of the machine's authors: a line has one angle, and its sign is the side.
+fn no_side(wire: usize, step: usize, bend_deg: f64) -> DriverError {
+    DriverError::new(
+        "no-side",
+        format!(
+            "wire {}, step {}: the bend axis stops before zero, at {bend_deg:.2}°, and WireBend-kit text has no place for the side of a \
+             bend",
+            wire + 1,
+            step + 1
+        ),
+        "run the job itself, which has it; or enlarge the bend",
+    )
 }

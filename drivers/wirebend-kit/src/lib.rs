@@ -55,6 +55,7 @@ impl MachineDriver for WirebendKit {
                 Capability::Stop,
                 Capability::Ports,
                 Capability::Settings,
+                Capability::BeforeZero,
             ]
             .into(),
             formats: vec![FormatDescription {

@@ -921,7 +921,18 @@ export type RunFileKind = "job" | "program" | "moves";
  * Something that a driver can do.
  */
 export type Capability =
-  "export" | "live" | "jog" | "home" | "pause" | "resume" | "stop" | "ports" | "settings" | "dry-run" | "speed";
+  | "export"
+  | "live"
+  | "jog"
+  | "home"
+  | "pause"
+  | "resume"
+  | "stop"
+  | "ports"
+  | "settings"
+  | "dry-run"
+  | "speed"
+  | "before-zero";
 /**
  * What a format holds.
  */

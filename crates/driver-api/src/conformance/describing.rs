@@ -85,10 +85,12 @@ fn capabilities(description: &Description) -> Result<(), String> {
         Capability::Settings,
         Capability::DryRun,
         Capability::Speed,
+        Capability::BeforeZero,
     ];
     if connected.into_iter().any(can) && !can(Capability::Live) {
-        return Err("'jog', 'home', 'pause', 'stop', 'ports', 'settings', 'dry-run' and 'speed' need 'live'"
-            .to_owned());
+        let connected =
+            "'jog', 'home', 'pause', 'stop', 'ports', 'settings', 'dry-run', 'speed' and 'before-zero'";
+        return Err(format!("{connected} need 'live'"));
     }
     if can(Capability::DryRun) && !can(Capability::Jog) {
         return Err("'dry-run' needs 'jog'".to_owned());

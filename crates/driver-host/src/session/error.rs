@@ -161,6 +161,7 @@ const fn word(capability: Capability) -> &'static str {
         Capability::Live => "live",
         Capability::Jog => "jog",
         Capability::DryRun => "dry-run",
+        Capability::BeforeZero => "before-zero",
         Capability::Speed => "speed",
         Capability::Home => "home",
         Capability::Pause => "pause",

@@ -157,6 +157,22 @@ fn the_head_is_turned_back_between_wires() {
     permits::arm(&mut session, run(1)).unwrap();
 }
 
+/// To a driver that does not know of it, such a bend would be one to the other side.
+#[test]
+fn a_bend_that_ends_before_zero_is_only_for_a_driver_that_can() {
+    let mut session = homed();
+    let armed = permits::arm(&mut session, run(2)).unwrap();
+    let step = |n, bend_deg, approach_deg| NumberedStep {
+        n,
+        step: Step { feed_mm: 30.0, rotate_deg: 0.0, bend_deg, approach_deg: Some(approach_deg) },
+    };
+    for (bend, approach) in [(-5.0, -18.25), (0.0, 18.25), (5.0, 18.25)] {
+        let error = session.send(&armed, &[step(1, bend, approach)]).unwrap_err().to_string();
+        assert!(error.contains("step 1") && error.contains("which side"), "{error}");
+    }
+    session.send(&armed, &[step(1, 45.0, -18.25)]).unwrap();
+}
+
 #[test]
 fn hands_stay_off_while_a_wire_is_in_hand() {
     let mut session = homed();

@@ -14,6 +14,8 @@ use crate::settings::{expected, steps};
 /// The firmware that takes where the peg comes out, 100 for 1.0.
 const APPROACHES_SINCE: u32 = 111;
 
+/// The firmware whose bends may end at zero or before it, 100 for 1.0.
+const BEFORE_ZERO_SINCE: u32 = 113;
 /// The firmware that has dry-run moves, 100 for 1.0.
 const DRY_SINCE: u32 = 112;
 /// The firmware whose speed can be changed while it runs.
@@ -200,24 +202,30 @@ impl Machine {
         ])
     }
 
-    /// Where the peg comes out, in motor steps, where that is farther from zero than it does by itself.
+    /// Where the peg comes out, in motor steps, where that is farther from zero than it does by itself, or tells the side of the bend.
     fn approach_of(&self, n: u32, step: Step) -> Result<Option<i32>, DriverError> {
         let settings = &self.settings;
-        let Some(deg) = step.approach_deg.filter(|deg| deg.is_nan() || deg.abs() > settings.near_side_deg)
-        else {
-            return Ok(None);
-        };
+        let per_deg = f64::from(settings.bend_steps_per_turn) / 360.0;
+        // A place that is rounded to zero has no side either.
+        let before_zero = step.ends_before_zero() || steps(step.bend_deg * per_deg) == 0;
+        let says = |deg: &f64| before_zero || deg.is_nan() || deg.abs() > settings.near_side_deg;
+        let Some(deg) = step.approach_deg.filter(says) else { return Ok(None) };
         let max = settings.bend_limit_deg;
         if deg.abs() > max + 1e-9 {
             return Err(fault::beyond(n, "approach of the peg", deg, max, "°"));
         }
-        if deg.is_nan() || deg * step.bend_deg >= 0.0 {
-            return Err(fault::other_side(n, deg, step.bend_deg));
+        let comes_out = deg.abs().max(settings.near_side_deg);
+        if deg.is_nan() || deg == 0.0 || (before_zero && step.bend_deg.abs() >= comes_out) {
+            return Err(fault::bends_nothing(n, deg, step.bend_deg));
         }
-        if let Some(versions) = self.versions.filter(|versions| versions.firmware < APPROACHES_SINCE) {
+        let older = |than: u32| self.versions.filter(|versions| versions.firmware < than);
+        if let Some(versions) = older(BEFORE_ZERO_SINCE).filter(|_| before_zero) {
+            return Err(fault::cannot_end_before_zero(n, step.bend_deg, versions));
+        }
+        if let Some(versions) = older(APPROACHES_SINCE) {
             return Err(fault::cannot_approach(n, deg, versions));
         }
-        Ok(Some(steps(deg * f64::from(settings.bend_steps_per_turn) / 360.0)))
+        Ok(Some(steps(deg * per_deg)))
     }
 
     fn require_rest(&self, what: &str) -> Result<(), DriverError> {
@@ -291,10 +299,20 @@ mod tests {
         for (bend, approach, code) in [
             (40.0, -156.0, "beyond"),
             (40.0, 30.0, "other-side"),
-            (0.0, -30.0, "other-side"),
+            (-18.25, -10.0, "other-side"),
+            (0.0, 0.0, "other-side"),
             (40.0, f64::NAN, "other-side"),
         ] {
-            assert_eq!(told(Some(111), bend, Some(approach)).unwrap_err().code, code, "{bend} {approach}");
+            assert_eq!(told(Some(113), bend, Some(approach)).unwrap_err().code, code, "{bend} {approach}");
+        }
+        // At zero or before it the side of the bend is told, also where the peg comes out no farther than it does by itself. What
+        // motors round to zero is at zero.
+        for (bend, approach) in [(-5.0, -18.25), (5.0, 30.0), (0.0, -18.0), (0.003, -18.0)] {
+            let there = Some(steps(approach * per_deg));
+            assert_eq!(told(Some(113), bend, Some(approach)).unwrap(), there, "{bend} {approach}");
+            let older = told(Some(112), bend, Some(approach)).unwrap_err();
+            assert_eq!(older.code, "older-firmware");
+            assert!(older.message.contains("step 7") && older.message.contains("1.12"), "{}", older.message);
         }
     }
 }

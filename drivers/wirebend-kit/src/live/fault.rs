@@ -46,11 +46,12 @@ pub(super) fn beyond(n: u32, what: &str, value: f64, max: f64, unit: &str) -> Dr
     )
 }
 
-pub(super) fn other_side(n: u32, approach: f64, bend: f64) -> DriverError {
+pub(super) fn bends_nothing(n: u32, approach: f64, bend: f64) -> DriverError {
     DriverError::new(
         "other-side",
         format!(
-            "in step {n} the peg would come out at {approach:.1}° for a bend to {bend:.1}°: it comes out on the other side of zero"
+            "in step {n} the peg would come out at {approach:.1}° for a bend to {bend:.1}°: it has to come out on the other side of \
+             zero, or farther from it"
         ),
         "plan the design again",
     )
@@ -65,6 +66,18 @@ pub(super) fn cannot_approach(n: u32, deg: f64, versions: Versions) -> DriverErr
             versions.firmware % 100
         ),
         "flash the firmware of this program: firmware/README.md says how; or lengthen the edge before the bend",
+    )
+}
+
+pub(super) fn cannot_end_before_zero(n: u32, deg: f64, versions: Versions) -> DriverError {
+    DriverError::new(
+        "older-firmware",
+        format!(
+            "in step {n} the bend axis stops before zero, at {deg:.1}°, and firmware {}.{:02} cannot be told to which side that is",
+            versions.firmware / 100,
+            versions.firmware % 100
+        ),
+        "flash the firmware of this program: firmware/README.md says how; or enlarge the bend",
     )
 }
 
