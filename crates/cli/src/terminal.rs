@@ -262,7 +262,9 @@ impl Prompt for Terminal {
                 "Count the bends of the wire: with the bend of this step in it, the step is done. Without it, measure.",
             ),
         }
-        let whole = doubt.commanded.bend_deg;
+        // An axis that stops before zero has not the sign of its bend.
+        let before_zero = doubt.commanded.approach_deg.is_some();
+        let whole = if before_zero { doubt.designed.bend_deg } else { doubt.commanded.bend_deg };
         self.say(&format!(
             "Its bend of {whole:.1}° starts from the beginning, so that only feed and rotation count."
         ));

@@ -1,7 +1,6 @@
 //! What a wire takes: time, stock, mass and money.
 
-use crate::bend::Step;
-use crate::compensate::CompensatedProgram;
+use crate::compensate::{CompensatedProgram, ToldStep};
 use crate::units::{Angle, Length};
 
 /// How fast a machine is.
@@ -42,17 +41,23 @@ impl TimeModel {
     /// How long the parts of a step take as the machine is told it. `detour`: how much farther the bend axis goes than beside straight
     /// wire before the peg comes out ([`CompensatedProgram::peg_detour`]); that far it has to come back, too.
     #[must_use]
-    pub fn step_seconds(&self, told: &Step, detour: Angle) -> StepSeconds {
-        let bends = told.bend != Angle::ZERO;
+    pub fn step_seconds(&self, told: &ToldStep, detour: Angle) -> StepSeconds {
+        let bends = told.bends();
         let fixed = if bends { self.fixed_per_bend_s } else { 0.0 };
-        let detour = 2.0 * detour.abs().deg() / self.bend_deg_per_s;
+        let beyond_zero = Angle::computed(told.beyond_zero().max(0.0));
+        let there_and_back = |way: f64| 2.0 * way / self.bend_deg_per_s;
+        let detour = there_and_back(detour.abs().deg());
         // A machine whose bends take no time besides does not wait for its peg.
         let (wait, way) = if fixed > 0.0 { (fixed + detour, 0.0) } else { (0.0, detour) };
+        // What ends before zero bends on a part of the way that others have only gone until they are there.
+        let approach = told.approach.filter(|_| bends && told.beyond_zero() < 0.0);
+        let pressing = approach.map_or(0.0, |at| (at.abs() - told.step.bend.abs()).deg().max(0.0));
+        let pressing = there_and_back(pressing).min(wait);
         StepSeconds {
-            feed: told.feed.abs().mm() / self.feed_mm_per_s,
-            rotate: told.rotate.abs().deg() / self.rotate_deg_per_s,
-            bend: if bends { self.bend_seconds(told.bend) - fixed + way } else { 0.0 },
-            wait,
+            feed: told.step.feed.abs().mm() / self.feed_mm_per_s,
+            rotate: told.step.rotate.abs().deg() / self.rotate_deg_per_s,
+            bend: if bends { self.bend_seconds(beyond_zero) - fixed + way + pressing } else { 0.0 },
+            wait: wait - pressing,
         }
     }
 
@@ -61,11 +66,13 @@ impl TimeModel {
         &'p self,
         program: &'p CompensatedProgram,
     ) -> impl Iterator<Item = StepSeconds> + 'p {
-        let step_seconds = |(index, told)| self.step_seconds(told, program.peg_detour(index));
-        program.steps().iter().enumerate().map(step_seconds)
+        let step_seconds =
+            |(index, told): (usize, ToldStep)| self.step_seconds(&told, program.peg_detour(index));
+        program.told().enumerate().map(step_seconds)
     }
 
-    /// Seconds for a bend: out to the commanded angle, back, and what every bend takes.
+    /// Seconds for a bend: out to the commanded angle, back, and what every bend takes. Of one that ends before zero the angle is zero:
+    /// its axis goes no farther than every peg does to come out.
     #[must_use]
     pub fn bend_seconds(&self, command: Angle) -> f64 {
         2.0 * command.abs().deg() / self.bend_deg_per_s + self.fixed_per_bend_s
@@ -126,7 +133,27 @@ pub fn stock(program: &CompensatedProgram, tail: Length) -> Length {
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::{mm, published_machine};
+    use crate::bend::Step;
+    use crate::compensate::ToldStep;
+    use crate::testing::{deg, mm, published_machine};
+    use crate::units::Angle;
+
+    /// The axis does not have to come to zero and back for it.
+    #[test]
+    fn a_bend_that_ends_before_zero_takes_no_longer_than_to_bring_the_peg_out() {
+        let time = published_machine().time;
+        let bend = |bend: f64, approach: Option<f64>| {
+            let step = Step { bend: deg(bend), ..Step::default() };
+            let seconds = time.step_seconds(&ToldStep { step, approach: approach.map(deg) }, Angle::ZERO);
+            (seconds.bend, seconds.wait)
+        };
+        let (pressing, wait) = bend(-10.0, Some(-18.25));
+        assert!((pressing + wait - time.fixed_per_bend_s).abs() < 1e-9, "{pressing} {wait}");
+        // From 18.25 degrees before zero to 10, and back.
+        assert!((pressing - 2.0 * 8.25 / time.bend_deg_per_s).abs() < 1e-9, "{pressing}");
+        assert_eq!(bend(0.0, None), (0.0, 0.0), "no bend");
+        assert!((bend(10.0, Some(-18.25)).0 - 20.0 / time.bend_deg_per_s).abs() < 1e-9);
+    }
 
     #[test]
     fn the_published_jobs_cost_their_length_at_the_published_price() {

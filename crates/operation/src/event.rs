@@ -104,7 +104,7 @@ pub struct Decided {
 impl std::fmt::Display for Doubt {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { wire, step, of, designed, commanded, counted, .. } = self;
-        let JobStep { feed_mm, rotate_deg, bend_deg } = designed;
+        let JobStep { feed_mm, rotate_deg, bend_deg, .. } = designed;
         let (rotate_deg, bend_deg) = (shown_deg(*rotate_deg), shown_deg(*bend_deg));
         write!(
             f,

@@ -176,7 +176,7 @@ mod tests {
 
     /// 200 mm are fed, and 400 mm cannot be.
     fn wire() -> JobWire {
-        let step = JobStep { feed_mm: 200.0, rotate_deg: 0.0, bend_deg: 0.0 };
+        let step = JobStep { feed_mm: 200.0, ..JobStep::default() };
         JobWire {
             vertices: vec![0, 1],
             path_mm: vec![[0.0; 3], [200.0, 0.0, 0.0]],

@@ -120,7 +120,7 @@ fn of_wire(stage: StageName, wireframe: &Wireframe, plan: &WirePlan) -> Option<V
             json!({ "steps": steps(&scheduled.steps), "head_deg": head })
         }
         StageName::Compensated => json!({
-            "steps": steps(plan.compensated.as_ref()?.steps()),
+            "steps": plan.compensated.as_ref()?.told().map(JobStep::from).collect::<Vec<_>>(),
             "stock_mm": plan.stock?.mm(),
             "time_s": plan.seconds?,
         }),

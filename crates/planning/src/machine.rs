@@ -5,7 +5,7 @@ use wirebend_core::bend::Step;
 use wirebend_core::checks::{BendRadius, BendTorque, MachineLimits, Source, Sourced};
 use wirebend_core::compensate::{
     BendModel, Compensation, FeedModel, MotionModel, PegGeometry, Springback, SpringbackCurve,
-    SpringbackPoint,
+    SpringbackPoint, ToldStep,
 };
 use wirebend_core::estimate::{TimeModel, WireModel};
 use wirebend_core::plan::Machine;
@@ -247,9 +247,9 @@ fn bend_model(
     material: &Resolved<MaterialProfile>,
     wire: &MaterialFigures,
 ) -> Result<BendModel, PlanningError> {
-    let (axis_limit, peg) = match figures.bend {
-        BendFigures::Direct { axis_limit_deg } => (axis_limit_deg, None),
-        BendFigures::Peg { rod_radius_mm, orbit_radius_mm, orbit_offset_mm, axis_limit_deg } => {
+    let (axis_limit, before_zero, peg) = match figures.bend {
+        BendFigures::Direct { axis_limit_deg } => (axis_limit_deg, false, None),
+        BendFigures::Peg { rod_radius_mm, orbit_radius_mm, orbit_offset_mm, axis_limit_deg, before_zero } => {
             let half = wire.diameter_mm / 2.0;
             let peg = PegGeometry::new(
                 mm(orbit_radius_mm)?,
@@ -260,7 +260,11 @@ fn bend_model(
             let wrong = |error| PlanningError::Geometry { machine: machine.profile.id().to_owned(), error };
             let peg = peg.map_err(wrong)?;
             let length = peg_length(machine.profile.shapes.as_deref().unwrap_or_default());
-            (Some(axis_limit_deg), Some(length.map_or(peg, |length| peg.with_peg_length(length))))
+            (
+                Some(axis_limit_deg),
+                before_zero,
+                Some(length.map_or(peg, |length| peg.with_peg_length(length))),
+            )
         }
     };
     let springback = figures
@@ -271,6 +275,7 @@ fn bend_model(
         springback,
         setback: peg.filter(|_| figures.compensate_setback),
         axis_limit: axis_limit.map(deg).transpose()?,
+        before_zero,
     })
 }
 
@@ -312,6 +317,11 @@ pub fn restored(name: &str, job: &JobContents) -> Result<Setup, PlanningError> {
 /// The steps that a job has kept.
 pub fn kept_steps(steps: &[JobStep]) -> Result<Vec<Step>, PlanningError> {
     steps.iter().map(|&step| Step::try_from(step).map_err(not_finite)).collect()
+}
+
+/// The same of what a machine is told.
+pub fn told_steps(steps: &[JobStep]) -> Result<Vec<ToldStep>, PlanningError> {
+    steps.iter().map(|&step| ToldStep::try_from(step).map_err(not_finite)).collect()
 }
 
 /// The errors of the checks despite which a job was planned.

@@ -6,7 +6,7 @@ use nalgebra::Point3;
 use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_core::bend::{Frame, Step, replay};
-use wirebend_core::compensate::CompensatedProgram;
+use wirebend_core::compensate::{CompensatedProgram, ToldStep};
 use wirebend_core::estimate::{StepSeconds, TimeModel};
 use wirebend_core::motion::{MachineStep, Moment, Pose, moments, poses};
 use wirebend_core::plan::WirePlan;
@@ -113,7 +113,7 @@ pub struct PlayedWire {
 pub fn played(plan: &WirePlan, time: &TimeModel) -> Option<PlayedWire> {
     let (nominal, scheduled) = (plan.nominal.as_ref()?, plan.scheduled.as_ref()?);
     let route = plan.route.as_ref()?;
-    let told = plan.compensated.as_ref().map(CompensatedProgram::steps);
+    let told: Vec<ToldStep> = plan.compensated.iter().flat_map(CompensatedProgram::told).collect();
     let start = scheduled_start(plan.start, &scheduled.steps);
     let machine = machine_steps(plan, time)?;
     let poses = poses(start, &scheduled.steps);
@@ -121,7 +121,7 @@ pub fn played(plan: &WirePlan, time: &TimeModel) -> Option<PlayedWire> {
     let steps = steps.map(|(index, (((step, pose), moments), span))| {
         let along = route.traversals.get(span.clone()).unwrap_or_default();
         PlayedStep {
-            told: told.and_then(|told| told.get(index)).copied().map(JobStep::from),
+            told: told.get(index).copied().map(JobStep::from),
             vertex: along.last().map(|traversal| traversal.to.0),
             edges: along.iter().map(|traversal| traversal.edge.0).collect(),
             ..played_step(&step.designed, step.seconds, pose, &moments)
@@ -141,11 +141,13 @@ pub fn played(plan: &WirePlan, time: &TimeModel) -> Option<PlayedWire> {
 /// What the machine does in each step of a planned wire; `None` where it has no program.
 pub(crate) fn machine_steps(plan: &WirePlan, time: &TimeModel) -> Option<Vec<MachineStep>> {
     let program = plan.compensated.as_ref();
+    let told: Vec<ToldStep> = program.into_iter().flat_map(CompensatedProgram::told).collect();
     let steps = plan.scheduled.as_ref()?.steps.iter().enumerate().map(|(index, designed)| {
-        let told = program.and_then(|program| program.steps().get(index)).unwrap_or(designed);
+        let told = told.get(index).copied().unwrap_or_else(|| ToldStep::from(*designed));
         let detour = program.map(|program| program.peg_detour(index)).unwrap_or_default();
         let comes_out = program.and_then(|program| program.peg_comes_out(index));
-        MachineStep { designed: *designed, told: *told, comes_out, seconds: time.step_seconds(told, detour) }
+        let seconds = time.step_seconds(&told, detour);
+        MachineStep { designed: *designed, told: told.step, comes_out, seconds }
     });
     Some(steps.collect())
 }

@@ -1,7 +1,7 @@
 //! Between canonical signs and those of a machine, both ways. Nowhere else are they applied.
 
 use wirebend_core::bend::{Convention, Sign, Step};
-use wirebend_core::compensate::{Compensation, approaches};
+use wirebend_core::compensate::{Compensation, ToldStep, approaches};
 use wirebend_core::units::Angle;
 use wirebend_driver_host::api::{self, Axis, Motion};
 use wirebend_driver_host::jobs::Part;
@@ -21,10 +21,10 @@ impl Signs {
     }
 
     /// The steps of a compensated program as the machine counts them.
-    pub fn machine_steps(self, told: &[Step], compensation: &Compensation) -> Vec<api::Step> {
-        let step = |(step, approach): (&Step, Option<Angle>)| api::Step {
+    pub fn machine_steps(self, told: &[ToldStep], compensation: &Compensation) -> Vec<api::Step> {
+        let step = |(told, approach): (&ToldStep, Option<Angle>)| api::Step {
             approach_deg: approach.map(|at| at.deg() * factor(self.0.bend)),
-            ..self.machine(*step)
+            ..self.machine(told.step)
         };
         told.iter().zip(approaches(told, compensation)).map(step).collect()
     }
@@ -51,6 +51,7 @@ impl Signs {
             feed_mm: step.feed_mm,
             rotate_deg: step.rotate_deg * factor(self.0.rotate),
             bend_deg: step.bend_deg * factor(self.0.bend),
+            approach_deg: None,
         }
     }
 
@@ -116,13 +117,18 @@ mod tests {
         let compensation = Compensation { bend, ..Compensation::default() };
         for side in [1.0, -1.0] {
             let step = |feed, bend| Step { feed: mm(feed), rotate: deg(0.0), bend: deg(side * bend) };
-            let told = [step(80.0, 40.0), step(25.0, -40.0), step(30.0, 0.0)];
+            let told = [step(80.0, 40.0), step(25.0, -40.0), step(30.0, 0.0)].map(ToldStep::from);
             for sign in [Sign::Same, Sign::Opposite] {
                 let signs = Signs(Convention { bend: sign, rotate: Sign::Same });
                 let steps = signs.machine_steps(&told, &compensation);
                 assert!(steps[0].approach_deg.is_none() && steps[2].approach_deg.is_none(), "{steps:?}");
                 let approach = steps[1].approach_deg.expect("wire is bent towards it");
                 assert!(approach * steps[1].bend_deg < 0.0, "{steps:?}");
+                // Where the axis stops before zero it is on the side of the axis.
+                let before_zero = ToldStep { step: step(80.0, -5.0), approach: Some(deg(-18.25 * side)) };
+                let steps = signs.machine_steps(&[before_zero], &compensation);
+                let approach = steps[0].approach_deg.expect("it tells the side");
+                assert!(approach * steps[0].bend_deg > 0.0, "{steps:?}");
             }
         }
     }

@@ -125,7 +125,7 @@ fn left(told: &[Step], setup: &Setup) -> Result<Vec<Step>, usize> {
 /// The same, with feeds below 0 where one is too short for its bends.
 pub(crate) fn corner_to_corner(told: &[Step], setup: &Setup) -> Vec<Step> {
     let compensation = &setup.model.compensation;
-    formed_steps(&CompensatedProgram::from_job_steps(told.to_vec(), compensation), compensation)
+    formed_steps(&CompensatedProgram::from_job_steps(told.iter().copied(), compensation), compensation)
 }
 
 /// So much may a feed of a program with two decimals be off.

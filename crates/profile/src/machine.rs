@@ -163,6 +163,9 @@ layer! {
         pub orbit_offset_mm: Sourced<f64>,
         /// Largest commanded axis angle either way, degrees.
         pub axis_limit_deg: Sourced<f64>,
+        /// Peg: whether the controller can be told to which side it bends, so that the axis of a small bend may stop at zero or
+        /// before it, short of where the peg comes out; absent: no.
+        pub before_zero: bool,
         /// Torque that the axis has for the wire, newton metres; absent: not known.
         pub torque_n_m: Sourced<f64>,
     }

@@ -5,6 +5,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 #![allow(clippy::print_stdout)] // figures, for --nocapture
 
+mod before_zero;
 mod near_corners;
 mod recovery;
 mod shop;

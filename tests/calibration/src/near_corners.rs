@@ -3,7 +3,8 @@
 
 use wirebend_core::bend::Step;
 use wirebend_core::compensate::{
-    BendModel, Compensation, FeedModel, MotionModel, PegGeometry, Springback, approaches, compensate,
+    BendModel, Compensation, FeedModel, MotionModel, PegGeometry, Springback, ToldStep, approaches,
+    compensate,
 };
 use wirebend_core::schedule::ScheduledProgram;
 use wirebend_core::units::{Angle, Length};
@@ -11,15 +12,15 @@ use wirebend_driver_wirebend_kit::bench::{Incident, Violation};
 
 use crate::shop::Shop;
 
-fn mm(value: f64) -> Length {
+pub(crate) fn mm(value: f64) -> Length {
     Length::from_mm(value).unwrap()
 }
 
-fn deg(value: f64) -> Angle {
+pub(crate) fn deg(value: f64) -> Angle {
     Angle::from_deg(value).unwrap()
 }
 
-fn machine(loss: f64) -> Compensation {
+pub(crate) fn machine(loss: f64) -> Compensation {
     let peg = PegGeometry::new(mm(20.4), mm(12.0), mm(3.0), mm(4.675)).unwrap().with_peg_length(mm(26.0));
     Compensation {
         feed: Some(FeedModel::new(mm(1.5), mm(3.0), 0.3)),
@@ -27,13 +28,14 @@ fn machine(loss: f64) -> Compensation {
             springback: Some(Springback::Constant(deg(loss))),
             setback: Some(peg),
             axis_limit: Some(deg(155.0)),
+            before_zero: false,
         },
         motion: MotionModel::default(),
     }
 }
 
 /// Edges of 60 mm, then of `edge`, with a bend and a turn of the head after each.
-fn program(edge: f64, bends: &[(f64, f64)]) -> ScheduledProgram {
+pub(crate) fn program(edge: f64, bends: &[(f64, f64)]) -> ScheduledProgram {
     let feed = |k: usize| mm(if k == 0 { 60.0 } else { edge });
     let step = |(k, &(rotate, bend)): (usize, &(f64, f64))| Step {
         feed: feed(k),
@@ -46,8 +48,14 @@ fn program(edge: f64, bends: &[(f64, f64)]) -> ScheduledProgram {
 }
 
 /// How far each bend of a program is off, degrees, compensated so.
-fn off(shop: &mut Shop, program: &ScheduledProgram, told: &[Step], machine: &Compensation) -> Vec<f64> {
-    let bench = shop.bent(told, &approaches(told, machine));
+pub(crate) fn off(
+    shop: &mut Shop,
+    program: &ScheduledProgram,
+    told: &[ToldStep],
+    machine: &Compensation,
+) -> Vec<f64> {
+    let steps: Vec<Step> = told.iter().map(|told| told.step).collect();
+    let bench = shop.bent(&steps, &approaches(told, machine));
     assert_eq!(bench.incidents(), []);
     let made = bench.made();
     let bends = program.steps.iter().filter(|step| step.bend != Angle::ZERO);
@@ -60,7 +68,7 @@ fn loss_at(shop: &mut Shop, bend: f64) -> f64 {
     let mut loss = 10.23;
     for _ in 0..4 {
         let told = compensate(&lone, &machine(loss)).unwrap();
-        loss -= off(shop, &lone, told.steps(), &machine(loss))[0];
+        loss -= off(shop, &lone, &told.told().collect::<Vec<_>>(), &machine(loss))[0];
     }
     loss
 }
@@ -70,11 +78,11 @@ fn both(edge: f64, bend: f64, bends: &[(f64, f64)]) -> [f64; 2] {
     let mut shop = Shop::exact();
     let machine = machine(loss_at(&mut shop, bend));
     let program = program(edge, bends);
-    let as_formed = compensate(&program, &machine).unwrap().steps().to_vec();
-    let straight: Vec<Step> = as_formed
+    let as_formed: Vec<ToldStep> = compensate(&program, &machine).unwrap().told().collect();
+    let straight: Vec<ToldStep> = as_formed
         .iter()
         .zip(&program.steps)
-        .map(|(told, step)| Step { bend: machine.bend.command(step.bend).unwrap(), ..*told })
+        .map(|(told, step)| Step { bend: machine.bend.command(step.bend).unwrap(), ..told.step }.into())
         .collect();
     [straight, as_formed].map(|told| {
         let off = off(&mut shop, &program, &told, &machine);
@@ -97,7 +105,7 @@ fn the_peg_comes_out_beside_wire_that_is_bent_towards_it() {
     let bends = [(0.0, 30.0), (0.0, -30.0), (0.0, 30.0), (0.0, -30.0)];
     let told = compensate(&program(22.0, &bends), &machine).unwrap();
     let mut shop = Shop::exact();
-    let known = approaches(told.steps(), &machine);
+    let known = approaches(&told.told().collect::<Vec<_>>(), &machine);
     println!("comes out at {known:.2?}");
     assert_eq!(known[0], None, "nothing is bent yet");
     assert!(known[1..4].iter().all(Option::is_some), "{known:?}");

@@ -35,6 +35,19 @@ impl Shop {
         Self { bench, noise, read: ChaCha8Rng::seed_from_u64(seed) }
     }
 
+    /// A machine that does not give, without errors, with wire that yields at so much of what the published one does: what is left of
+    /// its springback is that of the wire itself.
+    pub fn soft(share: f64) -> Self {
+        let strength = |published: f64| published * share;
+        let wire = Wire {
+            yield_strength_mpa: strength(Wire::PUBLISHED.yield_strength_mpa),
+            ultimate_strength_mpa: strength(Wire::PUBLISHED.ultimate_strength_mpa),
+            ..Wire::PUBLISHED
+        };
+        let bench = Bench::new(Bender::PUBLISHED, wire, SCALE, Compliance::RIGID).unwrap();
+        Self { bench, noise: Noise::default(), read: ChaCha8Rng::seed_from_u64(0) }
+    }
+
     /// The published machine without errors.
     pub fn exact() -> Self {
         let mut shop = Self::new(1.0, 0);
@@ -58,7 +71,8 @@ impl Shop {
         for (step, approach) in steps.iter().zip(approaches) {
             pulses(&mut bench, Axis::Feed, nearest(step.feed.mm() / SCALE.feed_mm_per_step));
             pulses(&mut bench, Axis::Rotate, nearest(step.rotate.deg() / SCALE.rotate_deg_per_step));
-            if step.bend.deg() == 0.0 {
+            let side = approach.map_or(step.bend.signum(), |at| -at.signum());
+            if side == 0.0 {
                 continue;
             }
             let mut go = |bench: &mut Bench, deg: f64| {
@@ -67,7 +81,7 @@ impl Shop {
                 axis_at = to;
             };
             let clear = approach.map_or(CLEAR_DEG, |at| at.abs().deg().max(CLEAR_DEG));
-            let clear = -clear * step.bend.signum();
+            let clear = -clear * side;
             go(&mut bench, clear);
             bench.peg(Peg::Between);
             bench.peg(Peg::Out);

@@ -1525,6 +1525,11 @@ export type OperatorEvent =
         }
       | {
           /**
+           * What a machine is told of a bend whose axis stops at zero or before it: where the axis stands when the peg comes out. The bend
+           * is to the other side, whatever the sign of `bend_deg`.
+           */
+          approach_deg?: number | null;
+          /**
            * How far it is bent.
            */
           bend_deg: number;
@@ -2038,6 +2043,11 @@ export interface RefusedOrder {
  * Feed, then rotate, then bend, in canonical signs.
  */
 export interface JobStep {
+  /**
+   * What a machine is told of a bend whose axis stops at zero or before it: where the axis stands when the peg comes out. The bend
+   * is to the other side, whatever the sign of `bend_deg`.
+   */
+  approach_deg?: number | null;
   /**
    * How far it is bent.
    */

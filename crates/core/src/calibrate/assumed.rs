@@ -67,6 +67,7 @@ impl Assumed {
             springback: self.springback.clone(),
             setback: setback.transpose()?,
             axis_limit: self.axis_limit,
+            before_zero: false,
         })
     }
 }
@@ -81,5 +82,5 @@ pub(super) fn bend_model(peg: Option<PegDimensions>, springback: Springback) -> 
             [orbit, offset.max(-0.3 * orbit), pin.max(0.01), reach].map(Length::computed);
         PegGeometry::new(orbit, offset, pin, reach).ok()
     });
-    BendModel { springback: Some(springback), setback, axis_limit: None }
+    BendModel { springback: Some(springback), setback, axis_limit: None, before_zero: false }
 }

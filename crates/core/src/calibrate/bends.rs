@@ -56,7 +56,7 @@ impl BendFit {
         let setback = self.peg.and_then(|peg| {
             PegGeometry::new(peg.orbit_radius, peg.orbit_offset, peg.bend_radius, peg.peg_radius).ok()
         });
-        BendModel { springback: Some(self.springback.clone()), setback, axis_limit }
+        BendModel { springback: Some(self.springback.clone()), setback, axis_limit, before_zero: false }
     }
 }
 

@@ -36,6 +36,7 @@ fn machine([orbit, offset, pin, peg]: [f64; 4], loss: f64) -> BendModel {
         springback: Some(Springback::Constant(deg(loss))),
         setback: Some(PegGeometry::new(mm(orbit), mm(offset), mm(pin), mm(peg)).unwrap()),
         axis_limit: None,
+        before_zero: false,
     }
 }
 

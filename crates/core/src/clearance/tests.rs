@@ -174,7 +174,7 @@ fn a_wire_bent_down_to_a_table_meets_it_at_the_angle_of_the_right_triangle() {
         Isometry3::translation(0.0, 0.0, -65.0),
     );
     let bodies = Bodies { all: vec![table], ..Bodies::default() };
-    let bend = BendModel { springback: None, setback: None, axis_limit: None };
+    let bend = BendModel { springback: None, setback: None, axis_limit: None, before_zero: false };
     // The bend turns towards -z once the head has turned by -90° about the wire.
     let steps = [step(50.0, 0.0, 0.5), step(100.0, 90.0, 90.0), step(30.0, 0.0, 0.0)];
     let found = all_contacts(&steps, &bodies, &bend);
@@ -204,7 +204,7 @@ fn with_stock(path: &[[f64; 3]], vertices: &[u32]) -> Vec<Deep> {
     let path: Vec<Point3<f64>> = path.iter().copied().map(Point3::from).collect();
     let (start, program) = program_of_path(&path, deg(1e-9)).unwrap();
     let bodies = Bodies::default();
-    let bend = BendModel { springback: None, setback: None, axis_limit: None };
+    let bend = BendModel { springback: None, setback: None, axis_limit: None, before_zero: false };
     let ends = |k: usize| [vertices[k], vertices[k + 1]];
     let same = |j: usize, k: usize| ends(j) == ends(k) || ends(j) == [ends(k)[1], ends(k)[0]];
     let passage = |k: usize| {
@@ -260,7 +260,7 @@ fn a_body_with_a_contact_zone_may_touch_the_wire_that_it_bends_and_no_other() {
         }],
         ..Bodies::default()
     };
-    let bend = BendModel { springback: None, setback: None, axis_limit: None };
+    let bend = BendModel { springback: None, setback: None, axis_limit: None, before_zero: false };
     let corner = [step(60.0, 0.0, 90.0), step(60.0, 0.0, 0.0)];
     assert!(!all_contacts(&corner, &pin(0.0), &bend).is_empty());
     assert!(all_contacts(&corner, &pin(10.0), &bend).is_empty());
@@ -294,7 +294,7 @@ fn the_peg_comes_out_on_the_side_from_which_it_bends() {
 #[test]
 fn arcs_that_do_not_fit_and_folds_are_rounded_as_far_as_there_is_room() {
     let bodies = Bodies::default();
-    let bend = BendModel { springback: None, setback: None, axis_limit: None };
+    let bend = BendModel { springback: None, setback: None, axis_limit: None, before_zero: false };
     let steps = [step(1.0, 0.0, 120.0), step(2.0, 0.0, 120.0), step(30.0, 0.0, 180.0), step(0.0, 0.0, 0.0)];
     // No figure that is not one.
     for contact in all_contacts(&steps, &bodies, &bend) {
@@ -314,7 +314,7 @@ proptest! {
         size in 1_usize..4,
     ) {
         let bodies = Bodies { all: vec![one, other], ..Bodies::default() };
-        let bend = BendModel { springback: None, setback: None, axis_limit: None };
+        let bend = BendModel { springback: None, setback: None, axis_limit: None, before_zero: false };
         let made = || Clearance::new((Frame::default(), &steps), None, passages(&steps), wire(), &bodies, &bend);
         let mut shared = made();
         let parts: Vec<_> = (0..steps.len())

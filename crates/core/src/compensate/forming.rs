@@ -1,7 +1,7 @@
 //! A wire that is bent step after step: what the peg touches is what the bends before have left.
 
 use super::contact::{Beyond, FormedWire};
-use super::{BendError, Compensation, FOLD_DEG, PegGeometry};
+use super::{BendError, Compensation, FOLD_DEG, PegGeometry, ToldStep};
 use crate::bend::Step;
 use crate::units::{Angle, Length};
 
@@ -72,25 +72,32 @@ impl<'a> Forming<'a> {
 
 /// The bends that commands leave, one after the other: what the peg touches is what those before have left. Feeds and turns are those
 /// that feed and head make of the commands.
-pub(crate) fn results(steps: &[Step], compensation: &Compensation) -> Vec<Angle> {
+pub(crate) fn results(made: &[ToldStep], compensation: &Compensation) -> Vec<Angle> {
     let model = &compensation.bend;
     let Some(peg) = &model.setback else {
-        return steps.iter().map(|step| model.result(step.bend)).collect();
+        return made.iter().map(|told| model.result_to(told.side(), told.step.bend)).collect();
     };
-    bent_by(peg, steps, compensation, |_, _, _| ())
+    bent_by(peg, made, compensation, |_, _, _| ())
+}
+
+/// What feed and head make of commands, each with the side of its bend.
+pub(crate) fn made_of(told: &[ToldStep], compensation: &Compensation) -> Vec<ToldStep> {
+    let steps: Vec<Step> = told.iter().map(|told| told.step).collect();
+    let made = compensation.motion.result(&steps);
+    made.iter().zip(told).map(|(step, told)| ToldStep { step: *step, ..*told }).collect()
 }
 
 /// For each command where the bend axis has to stand when the peg comes out, so that it is clear of the wire that the commands before
-/// have left: on the side from which it bends, so of the other sign than the command. Nothing where the place for straight wire will
-/// do, and where there is no room anywhere.
+/// have left: on the side from which it bends. What a command says itself stays. Nothing where the place for straight wire will do,
+/// and where there is no room anywhere.
 #[must_use]
-pub fn approaches(commands: &[Step], compensation: &Compensation) -> Vec<Option<Angle>> {
-    let mut found = vec![None; commands.len()];
+pub fn approaches(told: &[ToldStep], compensation: &Compensation) -> Vec<Option<Angle>> {
+    let mut found: Vec<Option<Angle>> = told.iter().map(|told| told.approach).collect();
     let Some(peg) = &compensation.bend.setback else { return found };
-    let made = compensation.motion.result(commands);
+    let made = made_of(told, compensation);
     bent_by(peg, &made, compensation, |index, leg, beyond| {
         let at = peg.approach(leg, beyond).ok().flatten();
-        found[index] = at.map(|at| Angle::computed(made[index].bend.signum() * at));
+        found[index] = found[index].or(at.map(|at| Angle::computed(made[index].side() * at)));
     });
     found
 }
@@ -99,7 +106,7 @@ pub fn approaches(commands: &[Step], compensation: &Compensation) -> Vec<Option<
 /// beyond.
 fn bent_by(
     peg: &PegGeometry,
-    steps: &[Step],
+    steps: &[ToldStep],
     compensation: &Compensation,
     mut met: impl FnMut(usize, f64, &Beyond),
 ) -> Vec<Angle> {
@@ -107,7 +114,8 @@ fn bent_by(
     let mut formed = FormedWire::new(peg);
     let mut before = Angle::ZERO;
     let mut results = Vec::with_capacity(steps.len());
-    for (index, step) in steps.iter().enumerate() {
+    for (index, told) in steps.iter().enumerate() {
+        let step = &told.step;
         let leg = |bend: Angle| {
             let segment = compensation
                 .feed
@@ -115,14 +123,14 @@ fn bent_by(
                 .map_or(step.feed, |model| model.segment_of(step.feed, before, bend));
             formed.straight(segment, before, bend)
         };
-        let bend = if step.bend == Angle::ZERO {
-            Angle::ZERO
-        } else {
-            let beyond = formed.beyond(step.rotate, step.bend.signum(), leg(Angle::HALF_TURN));
+        let bend = if told.bends() {
+            let beyond = formed.beyond(step.rotate, told.side(), leg(Angle::HALF_TURN));
             if !beyond.is_empty() {
                 met(index, leg(Angle::ZERO), &beyond);
             }
-            model.result_on(step.bend, leg, &beyond)
+            model.result_on(told, leg, &beyond)
+        } else {
+            Angle::ZERO
         };
         formed.push(leg(bend), step.rotate, bend);
         before = bend;

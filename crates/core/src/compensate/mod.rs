@@ -9,9 +9,11 @@ mod contact;
 mod feed;
 mod forming;
 mod motion;
+mod program;
 mod setback;
 mod shape;
 mod springback;
+mod told;
 
 use crate::bend::Step;
 use crate::schedule::ScheduledProgram;
@@ -21,11 +23,13 @@ use contact::{Beyond, Touch};
 pub use feed::FeedModel;
 pub(crate) use feed::{corner, with_bend_before};
 pub use forming::approaches;
-pub(crate) use forming::results;
 use forming::{Commanded, Forming};
+pub(crate) use forming::{made_of, results};
 pub use motion::MotionModel;
+pub use program::{CompensatedProgram, NearCorner};
 pub use setback::{PegGeometry, PegGeometryError, PegRadius};
 pub use springback::{Springback, SpringbackCurve, SpringbackError, SpringbackPoint};
+pub use told::ToldStep;
 
 /// From a bend that is to be left to the position of the bend axis, and back.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -36,6 +40,8 @@ pub struct BendModel {
     pub setback: Option<PegGeometry>,
     /// How far the axis goes to either side of zero.
     pub axis_limit: Option<Angle>,
+    /// Whether a bend may end with the axis at zero or before it: the machine can be told to which side it bends.
+    pub before_zero: bool,
 }
 
 /// A bend that a machine cannot make.
@@ -49,7 +55,7 @@ pub enum BendError {
         /// The largest one to the same side.
         max: Angle,
     },
-    /// The axis would have to stop before the middle, on the side of the opposite bends.
+    /// The axis would have to stop before the middle, and the machine takes the side of a bend from the sign of its axis.
     #[error("a bend of {bend:.2} is too small: the axis would stop before the middle")]
     TooSmall {
         /// The bend.
@@ -80,7 +86,8 @@ pub enum BendError {
 }
 
 impl BendModel {
-    /// The position of the axis that leaves a bend: θ* = springback(θ), then the setback of θ*.
+    /// The position of the axis that leaves a bend: θ* = springback(θ), then the setback of θ*. Its sign is that of the bend unless
+    /// it stops before zero.
     ///
     /// # Errors
     /// [`BendError`] when the machine cannot make it.
@@ -90,7 +97,7 @@ impl BendModel {
         }
         let out_of_reach = || BendError::OutOfReach { bend, max: self.max_bend(bend) };
         let axis = self.axis(bend).ok_or_else(out_of_reach)?;
-        if axis <= Angle::ZERO {
+        if axis <= Angle::ZERO && !self.before_zero {
             return Err(BendError::TooSmall { bend });
         }
         Ok(Angle::computed(bend.signum() * axis.rad()))
@@ -111,7 +118,11 @@ impl BendModel {
         let touch = peg.pressing(self.pressed(bend).rad(), leg, beyond);
         let within = |axis: f64| self.axis_limit.is_none_or(|limit| axis.abs() <= limit.rad());
         let approach = peg.approach(leg(0.0), beyond).ok().filter(|at| at.is_none_or(within));
-        let touch = touch.filter(|touch| touch.axis > 0.0 && within(touch.axis));
+        // Past a corner to elsewhere only what is small: a larger bend would be made by pushing at that corner, which gives as well.
+        let is_small = || self.axis(bend).is_some_and(|axis| axis <= Angle::ZERO);
+        let forward =
+            |touch: &Touch| touch.axis > 0.0 || (self.before_zero && (!touch.past_other || is_small()));
+        let touch = touch.filter(|touch| forward(touch) && within(touch.axis));
         match touch.zip(approach) {
             Some((touch, approach)) => {
                 let approach = approach.map(|at| Angle::computed(side * at));
@@ -150,26 +161,33 @@ impl BendModel {
     }
 
     /// The bend that a command leaves: the inverse of [`BendModel::command`]. A command that only
-    /// bends the wire within its springback leaves none.
+    /// bends the wire within its springback leaves none. The side of the bend is the sign of the command.
     #[must_use]
     pub fn result(&self, command: Angle) -> Angle {
+        self.result_to(command.signum(), command)
+    }
+
+    /// The same of a bend to a side, 1 or -1: its axis may stop before zero.
+    #[must_use]
+    pub fn result_to(&self, side: f64, command: Angle) -> Angle {
+        let beyond_zero = Angle::computed(side * command.rad());
         let pressed = match &self.setback {
-            Some(peg) => peg.bend_at(command.abs()),
-            None => command.abs(),
+            Some(peg) => peg.bend_at(beyond_zero),
+            None => beyond_zero,
         };
-        let pressed = Angle::computed(command.signum() * pressed.rad());
-        self.springback.as_ref().map_or(pressed, |model| model.formed(pressed))
+        self.left(side, pressed.rad())
     }
 
     /// The same with wire beyond the leg that is not straight. `leg`: how long the leg is, mm, where so much of a bend is left.
-    fn result_on(&self, command: Angle, leg: impl Fn(Angle) -> f64, beyond: &Beyond) -> Angle {
+    fn result_on(&self, told: &ToldStep, leg: impl Fn(Angle) -> f64, beyond: &Beyond) -> Angle {
+        let side = told.side();
         let Some(peg) = self.setback.as_ref().filter(|_| !beyond.is_empty()) else {
-            return self.result(command);
+            return self.result_to(side, told.step.bend);
         };
-        let left = |pressed: f64| self.left(command.signum(), pressed);
+        let left = |pressed: f64| self.left(side, pressed);
         let gap = |pressed: f64| {
             peg.touch(pressed, leg(left(pressed)), beyond)
-                .map_or(1.0, |touch| touch.axis - command.abs().rad())
+                .map_or(1.0, |touch| touch.axis - told.beyond_zero())
         };
         let pressed = if gap(0.0) >= 0.0 { 0.0 } else { increasing_root(0.0, std::f64::consts::PI, gap) };
         left(pressed)
@@ -197,90 +215,6 @@ pub struct Compensation {
     pub bend: BendModel,
     /// For feed and head that do not do quite what they are told.
     pub motion: MotionModel,
-}
-
-/// What a machine is told. It can only be had by compensating.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CompensatedProgram {
-    steps: Vec<Step>,
-    /// Where the peg comes out for each step, unless the place for straight wire will do.
-    approaches: Vec<Option<Angle>>,
-    /// That place, before zero; none for a machine without a peg.
-    near_side: Option<Angle>,
-    near: Vec<NearCorner>,
-    unpressed: Vec<StepError>,
-    /// How feed and head are off.
-    motion: MotionModel,
-}
-
-/// A bend whose peg meets wire that was bent before.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NearCorner {
-    /// Index of the step, from 0.
-    pub step: usize,
-    /// How much further the axis goes than for wire that is straight as far as the peg reaches; nothing where it could not
-    /// make the bend on such wire.
-    pub further: Option<Angle>,
-    /// Whether the peg touches beyond a corner of another plane or to the other side: that corner may give as well.
-    pub past_other: bool,
-}
-
-impl CompensatedProgram {
-    /// A program that was compensated before, for a machine and a wire, and has been kept in a job whose hash still fits.
-    #[must_use]
-    pub fn from_job_steps(steps: Vec<Step>, compensation: &Compensation) -> Self {
-        let approaches = approaches(&steps, compensation);
-        Self::new(steps, approaches, compensation)
-    }
-
-    fn new(steps: Vec<Step>, approaches: Vec<Option<Angle>>, compensation: &Compensation) -> Self {
-        let near_side = compensation.bend.setback.as_ref().map(PegGeometry::near_side);
-        let (near, unpressed) = Default::default();
-        Self { steps, approaches, near_side, near, unpressed, motion: compensation.motion }
-    }
-
-    /// Where the bend axis stands when the peg comes out in a step: on the side from which it bends, so of the other sign than
-    /// the command. `None` where the step does not bend, and for a machine without a peg.
-    #[must_use]
-    pub fn peg_comes_out(&self, step: usize) -> Option<Angle> {
-        let bend = self.steps.get(step).map(|step| step.bend).filter(|bend| *bend != Angle::ZERO)?;
-        let near_side = self.near_side?;
-        let approach = self.approaches.get(step).copied().flatten().map_or(near_side, Angle::abs);
-        // No nearer to zero than a machine has it come out by itself.
-        Some(Angle::computed(-bend.signum() * approach.rad().max(near_side.rad())))
-    }
-
-    /// How much farther from zero that is than beside straight wire.
-    #[must_use]
-    pub fn peg_detour(&self, step: usize) -> Angle {
-        let comes_out = self.peg_comes_out(step).zip(self.near_side);
-        comes_out.map_or(Angle::ZERO, |(at, near_side)| at.abs() - near_side)
-    }
-
-    /// The bends whose peg meets wire that was bent before, where it was compensated just now.
-    #[must_use]
-    pub fn near_corners(&self) -> &[NearCorner] {
-        &self.near
-    }
-
-    /// The bends that the peg cannot press on wire as it is formed so far, where it was compensated just now: they are commanded
-    /// as on a straight leg, and come out otherwise.
-    #[must_use]
-    pub fn unpressed(&self) -> &[StepError] {
-        &self.unpressed
-    }
-
-    /// The steps, in the frame and signs of the canonical program.
-    #[must_use]
-    pub fn steps(&self) -> &[Step] {
-        &self.steps
-    }
-
-    /// Wire that all feeds take together.
-    #[must_use]
-    pub fn feed_total(&self) -> Length {
-        self.motion.fed(self.steps.iter().map(|step| step.feed).sum())
-    }
 }
 
 /// A step that cannot be compensated.
@@ -317,7 +251,7 @@ pub fn compensate(
         match forming.command(before, step) {
             Ok(Commanded { axis: bend, elsewhere, approach }) => {
                 steps.push(Step { feed, rotate: step.rotate, bend });
-                approaches.push(approach);
+                approaches.push(telling_side(&compensation.bend, step.bend, bend, approach));
                 near.extend(elsewhere.map(|(further, past_other)| NearCorner {
                     step: index,
                     further,
@@ -333,8 +267,8 @@ pub fn compensate(
                 };
                 let error = StepError { step: index, error };
                 if let Some(bend) = on_straight {
+                    approaches.push(telling_side(&compensation.bend, step.bend, bend, None));
                     steps.push(Step { feed, rotate: step.rotate, bend });
-                    approaches.push(None);
                     unpressed.push(error);
                 } else {
                     errors.push(error);
@@ -345,11 +279,23 @@ pub fn compensate(
     if errors.is_empty() {
         compensation.motion.command(&mut steps);
         let program = CompensatedProgram::new(steps, approaches, compensation);
-        return Ok(CompensatedProgram { near, unpressed, ..program });
+        return Ok(program.with_findings(near, unpressed));
     }
     errors.extend(unpressed);
     errors.sort_by_key(|error| error.step);
     Err(errors)
+}
+
+/// Where the peg comes out, which has to be said where the sign of the axis is not the side of the bend.
+fn telling_side(model: &BendModel, bend: Angle, axis: Angle, approach: Option<Angle>) -> Option<Angle> {
+    let peg = model.setback.as_ref().filter(|_| model.before_zero && bend != Angle::ZERO);
+    let Some(near_side) = peg.map(PegGeometry::near_side) else { return approach };
+    let at = approach.map_or(near_side, |at| at.abs().max(near_side));
+    let told = ToldStep {
+        step: Step { bend: axis, ..Step::default() },
+        approach: Some(Angle::computed(-bend.signum() * at.rad())),
+    };
+    if told.needs_side() { told.approach } else { approach }
 }
 
 /// Where an increasing function crosses zero between two arguments; the nearer end where it does

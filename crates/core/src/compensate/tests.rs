@@ -19,6 +19,7 @@ fn published() -> BendModel {
         springback: Some(Springback::Constant(deg(10.23))),
         setback: Some(published_peg()),
         axis_limit: None,
+        before_zero: false,
     }
 }
 
@@ -176,7 +177,7 @@ proptest! {
         let model = match kind {
             0 => published(),
             1 => BendModel { springback: Some(table()), ..published() },
-            2 => BendModel { springback: Some(table()), setback: None, axis_limit: None },
+            2 => BendModel { springback: Some(table()), setback: None, axis_limit: None, before_zero: false },
             _ => BendModel::default(),
         };
         // The smallest bends of the weakest springback stop on the far side; those are refused.
@@ -231,5 +232,6 @@ proptest! {
     }
 }
 
+mod before_zero;
 mod contact;
 mod motion;

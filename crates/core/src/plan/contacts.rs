@@ -5,7 +5,7 @@ use super::{Machine, WirePlan};
 use crate::bend::{Frame, Step};
 use crate::checks::{Diagnostic, WireStages, check_contacts};
 use crate::clearance::{Clearance, FirstContact, Passage, StockWire, passages};
-use crate::compensate::{CompensatedProgram, approaches};
+use crate::compensate::{ToldStep, approaches};
 use crate::route::Doubling;
 use crate::simulate::scheduled_start;
 use crate::units::Length;
@@ -36,6 +36,7 @@ pub fn keep_contacts(
 }
 
 /// The wire of a plan in its machine, once it has been scheduled. `margin`: how far things have to stay from each other.
+#[must_use]
 pub fn clearance<'a>(
     wireframe: &Wireframe,
     machine: &'a Machine,
@@ -45,9 +46,9 @@ pub fn clearance<'a>(
     let (nominal, scheduled) = (plan.nominal.as_ref()?, plan.scheduled.as_ref()?);
     let route = plan.route.as_ref()?;
     let passages = passages(wireframe, &route.traversals, &nominal.spans);
-    let told = plan.compensated.as_ref().map(CompensatedProgram::steps);
+    let told: Option<Vec<ToldStep>> = plan.compensated.as_ref().map(|program| program.told().collect());
     let start = scheduled_start(plan.start, &scheduled.steps);
-    Some(in_machine(machine, (start, &scheduled.steps), told, passages, margin))
+    Some(in_machine(machine, (start, &scheduled.steps), told.as_deref(), passages, margin))
 }
 
 /// A wire that was planned before, such as that of a job.
@@ -58,7 +59,7 @@ pub struct ScheduledWire {
     /// As scheduled, from corner to corner.
     pub steps: Vec<Step>,
     /// As compensated: where the bend axis goes in each.
-    pub told: Vec<Step>,
+    pub told: Vec<ToldStep>,
     /// The edges of each step, with their lengths.
     pub passages: Vec<Vec<(Passage, Length)>>,
 }
@@ -82,13 +83,14 @@ impl ScheduledWire {
 fn in_machine<'a>(
     machine: &'a Machine,
     wire: (Frame, &[Step]),
-    told: Option<&[Step]>,
+    told: Option<&[ToldStep]>,
     passages: Vec<Vec<(Passage, Length)>>,
     margin: Length,
 ) -> Clearance<'a> {
     let stock = stock_wire(machine, margin);
     let approaches = told.map(|told| approaches(told, &machine.compensation)).unwrap_or_default();
-    Clearance::new(wire, told, passages, stock, &machine.bodies, &machine.compensation.bend)
+    let axes: Option<Vec<Step>> = told.map(|told| told.iter().map(|told| told.step).collect());
+    Clearance::new(wire, axes.as_deref(), passages, stock, &machine.bodies, &machine.compensation.bend)
         .with_approaches(approaches)
 }
 

@@ -76,7 +76,8 @@ pub(super) fn bend_seconds(machine: &Machine, bend: Angle) -> Option<f64> {
     let limits = &machine.limits;
     let within = bend >= limits.min_bend.value && bend <= limits.max_bend.value;
     let command = machine.compensation.bend.command(bend).ok().filter(|_| within)?;
-    Some(machine.time.bend_seconds(command))
+    let before_zero = command.signum() * bend.signum() < 0.0;
+    Some(machine.time.bend_seconds(if before_zero { Angle::ZERO } else { command }))
 }
 
 #[derive(Default)]

@@ -15,7 +15,7 @@ use nalgebra::Point3;
 use rayon::prelude::*;
 
 use crate::bend::{Frame, Step};
-use crate::compensate::{CompensatedProgram, Compensation, results};
+use crate::compensate::{CompensatedProgram, Compensation, ToldStep, made_of, results};
 use crate::units::{Angle, Length};
 pub use first_order::{FirstOrder, SourceEffect, StepEffect, first_order};
 pub use made::steps_of_corners;
@@ -24,9 +24,10 @@ use wire::{Draw, corner_to_corner, imperfect};
 
 /// What commands leave where nothing is off: the wire that is fed, and turns and bends as they come out.
 fn formed(program: &CompensatedProgram, compensation: &Compensation) -> Vec<Step> {
-    let made = compensation.motion.result(program.steps());
+    let told: Vec<ToldStep> = program.told().collect();
+    let made = made_of(&told, compensation);
     let bends = results(&made, compensation);
-    made.iter().zip(bends).map(|(step, bend)| Step { bend, ..*step }).collect()
+    made.iter().zip(bends).map(|(made, bend)| Step { bend, ..made.step }).collect()
 }
 
 /// A constant error and the standard deviation of the random one, of a quantity in its own unit.

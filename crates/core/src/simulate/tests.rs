@@ -222,7 +222,7 @@ fn the_steps_of_a_wire_with_errors_lead_along_it() {
             }
             for ((made, told), step) in wire.steps.iter().zip(&wire.told).zip(told) {
                 let wrong = made.bend - published_machine().compensation.bend.result(step.bend);
-                assert!((told.bend - step.bend - wrong).rad().abs() < 1e-12);
+                assert!((told.step.bend - step.bend - wrong).rad().abs() < 1e-12);
             }
             ControlFlow::Continue(())
         })

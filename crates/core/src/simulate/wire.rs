@@ -7,7 +7,7 @@ use rand_distr::{Distribution as _, StandardNormal};
 
 use super::{ErrorModel, ErrorSource, SimulationInput};
 use crate::bend::{Frame, Step};
-use crate::compensate::{Compensation, with_bend_before};
+use crate::compensate::{Compensation, ToldStep, with_bend_before};
 use crate::units::{Angle, Length};
 
 /// A wire as a program makes it when its motions are off.
@@ -18,7 +18,7 @@ pub struct ImperfectWire {
     /// The steps that it is made of, from corner to corner: a bowed strut counts with the distance of its ends.
     pub steps: Vec<Step>,
     /// The commands, each bend as far off as the bend that it leaves: where the bend axis goes.
-    pub told: Vec<Step>,
+    pub told: Vec<ToldStep>,
 }
 
 /// The errors of one wire.
@@ -63,18 +63,24 @@ pub(super) fn corner_to_corner(steps: &[Step], compensation: &Compensation) -> V
 /// Vertices on a straight feed divide it as `fractions` says: for each step the parts of its feed at
 /// which a vertex of the route lies, ending with 1. The first vertex is that of `start`.
 pub(super) fn imperfect(input: &SimulationInput, formed: &[Step], draw: &mut Draw) -> ImperfectWire {
-    let mut told = input.program.steps().to_vec();
+    let mut told: Vec<ToldStep> = input.program.told().collect();
     let disturbed: Vec<Step> = told
         .iter_mut()
         .zip(formed)
-        .map(|(told, formed)| {
+        .enumerate()
+        .map(|(index, (told, formed))| {
             let is_bend = formed.bend != Angle::ZERO;
             let feed = formed.feed + Length::computed(draw.error(ErrorSource::Feed));
             let mut off =
                 |of| if is_bend { Angle::computed(draw.error(of).to_radians()) } else { Angle::ZERO };
             let rotate = formed.rotate + off(ErrorSource::Rotation);
             let wrong = off(ErrorSource::Bend);
-            told.bend += wrong;
+            let side = told.side();
+            told.step.bend += wrong;
+            // An error does not make it a bend to the other side.
+            if told.side() * side < 0.0 {
+                told.approach = input.program.peg_comes_out(index);
+            }
             Step { feed, rotate, bend: formed.bend + wrong }
         })
         .collect();

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::bend::Step;
+use wirebend_core::compensate::ToldStep;
 use wirebend_core::units::{Angle, Length, NotFinite};
 
 use super::error::DocumentError;
@@ -80,11 +81,35 @@ pub struct JobStep {
     pub rotate_deg: f64,
     /// How far it is bent.
     pub bend_deg: f64,
+    /// What a machine is told of a bend whose axis stops at zero or before it: where the axis stands when the peg comes out. The bend
+    /// is to the other side, whatever the sign of `bend_deg`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub approach_deg: Option<f64>,
 }
 
 impl From<Step> for JobStep {
     fn from(step: Step) -> Self {
-        Self { feed_mm: step.feed.mm(), rotate_deg: step.rotate.deg(), bend_deg: step.bend.deg() }
+        Self::from(ToldStep::from(step))
+    }
+}
+
+impl From<ToldStep> for JobStep {
+    fn from(ToldStep { step, approach }: ToldStep) -> Self {
+        Self {
+            feed_mm: step.feed.mm(),
+            rotate_deg: step.rotate.deg(),
+            bend_deg: step.bend.deg(),
+            approach_deg: approach.map(Angle::deg),
+        }
+    }
+}
+
+impl TryFrom<JobStep> for ToldStep {
+    type Error = NotFinite;
+
+    fn try_from(step: JobStep) -> Result<Self, NotFinite> {
+        let approach = step.approach_deg.map(Angle::from_deg).transpose()?;
+        Ok(Self { step: Step::try_from(step)?, approach })
     }
 }
 

@@ -3,7 +3,7 @@
 use wirebend_core::compensate::CompensatedProgram;
 use wirebend_core::estimate::StepSeconds;
 use wirebend_driver_host::jobs::Part;
-use wirebend_planning::machine::kept_steps;
+use wirebend_planning::machine::told_steps;
 use wirebend_planning::{JobStep, PartOfStep};
 
 use super::task::Task;
@@ -37,6 +37,8 @@ pub(super) struct StepWatch {
     /// The farthest that the bend axis has come, in part of its way: below that it is on its way back.
     farthest: f64,
     part: f64,
+    /// Whether the bend axis of a bend that ends before zero has come to where the peg comes out: its way begins there.
+    is_out: bool,
 }
 
 /// What was gone of a way, from 0 to 1; of no way, all.
@@ -83,10 +85,10 @@ impl StepWatch {
             before.and_then(|before| self.steps.get(before)).zip(self.from).map(|(step, from)| JobStep {
                 feed_mm: from.feed_mm + step.commanded.feed_mm,
                 rotate_deg: from.rotate_deg + step.commanded.rotate_deg,
-                bend_deg: 0.0,
+                ..JobStep::default()
             });
         self.from = ended.or(axes);
-        (self.made, self.farthest, self.part) = (Some(made), 0.0, 0.0);
+        (self.made, self.farthest, self.part, self.is_out) = (Some(made), 0.0, 0.0, false);
     }
 
     /// Feed, rotate, the peg comes out, the bend axis goes there and comes back, the peg goes in.
@@ -107,12 +109,21 @@ impl StepWatch {
             }
             return (feed * fed + if is_fed { rotate * turned } else { 0.0 }) / total;
         }
-        let bent =
-            if commanded.bend_deg == 0.0 { 0.0 } else { gone(axes.bend_deg - self.rest, commanded.bend_deg) };
+        let bent = self.bent(commanded, axes.bend_deg - self.rest);
         self.farthest = self.farthest.max(bent);
         let back = bent < self.farthest - NEAR;
         let peg = if self.farthest > NEAR { wait / 2.0 } else { 0.0 };
         (feed + rotate + peg + bend * if back { 1.0 - bent / 2.0 } else { bent / 2.0 }) / total
+    }
+
+    /// How much of its way out the bend axis has gone, from 0 to 1.
+    fn bent(&mut self, commanded: &JobStep, axis: f64) -> f64 {
+        let bend = commanded.bend_deg;
+        let Some(out) = commanded.approach_deg.filter(|out| out * bend >= 0.0) else {
+            return if bend == 0.0 { 0.0 } else { gone(axis, bend) };
+        };
+        self.is_out |= gone(axis, out) >= 1.0 - NEAR;
+        if self.is_out { gone(axis - out, bend - out) } else { 0.0 }
     }
 }
 
@@ -120,12 +131,11 @@ impl Task<'_> {
     /// Follows a machine through a wire.
     pub(super) fn step_watch(&self, wire: usize) -> StepWatch {
         let steps =
-            self.wire(wire).ok().and_then(|wire| kept_steps(&wire.compensated).ok()).unwrap_or_default();
+            self.wire(wire).ok().and_then(|wire| told_steps(&wire.compensated).ok()).unwrap_or_default();
         let model = &self.setup.model;
         let program = CompensatedProgram::from_job_steps(steps, &model.compensation);
-        let each = program.steps().iter().zip(model.time.each_step(&program));
-        let commanded =
-            each.map(|(step, seconds)| CommandedStep { commanded: JobStep::from(*step), seconds });
+        let each = program.told().zip(model.time.each_step(&program));
+        let commanded = each.map(|(told, seconds)| CommandedStep { commanded: JobStep::from(told), seconds });
         StepWatch::new(commanded.collect())
     }
 
@@ -134,7 +144,7 @@ impl Task<'_> {
         let mut watch = self.step_watch(wire);
         let PartOfStep { feed_mm, rotate_deg } = self.setup.signs.part(counted);
         for (feed_mm, rotate_deg) in [(0.0, 0.0), (feed_mm, rotate_deg)] {
-            watch.position(JobStep { feed_mm, rotate_deg, bend_deg: 0.0 });
+            watch.position(JobStep { feed_mm, rotate_deg, ..JobStep::default() });
             watch.in_step(step.saturating_sub(1));
         }
         watch.in_step(step.saturating_sub(1))

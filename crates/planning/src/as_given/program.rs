@@ -108,7 +108,7 @@ fn of_program(name: &str, bytes: &[u8], opened: &Opened, setup: &Setup) -> Resul
         scheduled: steps,
         stock_mm: stock(&commanded, setup.model.limits.tail.value).mm(),
         time_s: setup.model.time.seconds(&commanded),
-        compensated: commanded.steps().iter().copied().map(JobStep::from).collect(),
+        compensated: commanded.told().map(JobStep::from).collect(),
         avoids_collisions: false,
         pauses: Vec::new(),
     };

@@ -12,7 +12,7 @@ use wirebend_core::wireframe::{Component, Vertex, VertexId, Wireframe};
 use wirebend_files::document::{Job, JobPause, JobWire};
 
 use crate::PlanningError;
-use crate::machine::{Setup, kept_steps};
+use crate::machine::{Setup, kept_steps, told_steps};
 use crate::pauses;
 use crate::playback::{PlayedWire, played};
 use crate::report::{DiagnosticReport, PlanReport, WireReport};
@@ -110,7 +110,7 @@ fn given(name: &str, wire: &JobWire, setup: &Setup) -> Result<(Wireframe, WirePl
         }),
         scheduled: Some(ScheduledProgram { steps, head }),
         compensated: Some(CompensatedProgram::from_job_steps(
-            kept_steps(&wire.compensated)?,
+            told_steps(&wire.compensated)?,
             &setup.model.compensation,
         )),
         searched: None,

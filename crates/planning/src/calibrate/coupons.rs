@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::bend::{Frame, program_of_path, replay};
 use wirebend_core::calibrate::{Coupon, CouponPlan, Measured};
-use wirebend_core::compensate::{CompensatedProgram, compensate};
+use wirebend_core::compensate::{BendModel, CompensatedProgram, compensate};
 use wirebend_core::estimate::stock;
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{Vertex, Wireframe};
@@ -177,7 +177,8 @@ fn wrong(name: &'static str, value: String, expected: &'static str) -> PlanningE
 /// Coupons that a machine can bend.
 fn coupon_plan(setup: &Setup, asked_deg: &[f64]) -> Result<CouponPlan, PlanningError> {
     let limits = &setup.model.limits;
-    let bends = &setup.model.compensation.bend;
+    // A row of the table has one angle that the axis goes to, whose sign is the side.
+    let bends = BendModel { before_zero: false, ..setup.model.compensation.bend.clone() };
     let can = |angle: Angle| {
         let within = angle <= limits.max_bend.value && -angle >= limits.min_bend.value;
         angle > Angle::ZERO && within && bends.command(angle).is_ok() && bends.command(-angle).is_ok()
@@ -301,7 +302,7 @@ fn job_wire(
         nominal: steps(&nominal.steps),
         spans: nominal.spans.iter().map(|span| [span.start, span.end]).collect(),
         scheduled: steps(&wire.coupon.program.steps),
-        compensated: steps(wire.commanded.steps()),
+        compensated: wire.commanded.told().map(JobStep::from).collect(),
         stock_mm: stock(&wire.commanded, setup.model.limits.tail.value).mm(),
         time_s: setup.model.time.seconds(&wire.commanded),
         avoids_collisions: false,

@@ -60,7 +60,7 @@ pub(super) fn encode(
 fn require_within(content: &Content, limits: &Limits) -> Result<(), PlanningError> {
     for (index, wire) in content.wires.iter().enumerate() {
         let signs = content.setup.signs;
-        let steps: Vec<_> = wire.compensated.iter().flatten().map(|&step| signs.machine(step)).collect();
+        let steps: Vec<_> = wire.compensated.iter().flatten().map(|told| signs.machine(told.step)).collect();
         DriverProblem::require_within(limits, "its driver", index, &steps, 1)?;
     }
     Ok(())

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::Point3;
 use wirebend_core::bend::Step;
+use wirebend_core::compensate::ToldStep;
 use wirebend_core::units::{Angle, DisplayUnit, Length};
 use wirebend_core::wireframe::{Joint, VertexId};
 use wirebend_error::{ErrorRemedy, InputName};
@@ -16,7 +17,7 @@ use super::print;
 use crate::choices::PlanChoices;
 use crate::job::Stages;
 use crate::job::{is_job, open_job};
-use crate::machine::{Setup, accepted_errors, kept_steps, restored};
+use crate::machine::{Setup, accepted_errors, kept_steps, restored, told_steps};
 use crate::picture;
 use crate::plan::{Planned, job_wire};
 use crate::report::{NoteReport, PlanReport};
@@ -26,7 +27,7 @@ use crate::{Installation, PlanningError, Progress};
 pub(super) struct Wire {
     pub path: Vec<Point3<f64>>,
     pub nominal: Vec<Step>,
-    pub compensated: Option<Vec<Step>>,
+    pub compensated: Option<Vec<ToldStep>>,
     pub stock_mm: Option<f64>,
     pub time_s: Option<f64>,
     /// Segments of the path along edges that are travelled more than once.
@@ -120,7 +121,7 @@ impl Content {
                 // Without a route the edges themselves can be drawn, but nothing can be followed.
                 path: plan.path.clone(),
                 nominal: plan.nominal.as_ref().map(|program| program.steps.clone()).unwrap_or_default(),
-                compensated: plan.compensated.as_ref().map(|program| program.steps().to_vec()),
+                compensated: plan.compensated.as_ref().map(|program| program.told().collect()),
                 stock_mm: plan.stock.map(Length::mm),
                 time_s: plan.seconds,
                 kept: job_wire(plan, pauses),
@@ -211,7 +212,7 @@ impl Content {
             Ok(Wire {
                 path: wire.path_mm.iter().copied().map(Point3::from).collect(),
                 nominal: kept_steps(&wire.nominal)?,
-                compensated: Some(kept_steps(&wire.compensated)?),
+                compensated: Some(told_steps(&wire.compensated)?),
                 stock_mm: Some(wire.stock_mm),
                 time_s: Some(wire.time_s),
                 kept: Some(wire.clone()),

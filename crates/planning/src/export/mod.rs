@@ -126,7 +126,7 @@ pub fn export(
 /// Programs count the head's turns from where it stands, and its cables have an end.
 fn head_left_turned(content: &Content) -> Option<NoteReport> {
     let steps = content.wires.iter().filter_map(|wire| wire.compensated.as_ref());
-    let ends: Vec<f64> = steps.map(|steps| steps.iter().map(|step| step.rotate.deg()).sum()).collect();
+    let ends: Vec<f64> = steps.map(|steps| steps.iter().map(|told| told.step.rotate.deg()).sum()).collect();
     let left: Vec<String> =
         ends.iter().filter(|end: &&f64| end.abs() > SHOWN_AS_ZERO).map(|end| format!("{end:.1}°")).collect();
     (!left.is_empty()).then(|| NoteReport {

@@ -90,7 +90,7 @@ fn sentence(line: &str) -> String {
 
 fn sheet_wire(setup: &Setup, wire: &Wire) -> SheetWire {
     let length: Length = wire.nominal.iter().map(|step| step.feed).sum();
-    let commanded = |index: usize| wire.compensated.as_ref()?.get(index).copied();
+    let commanded = |index: usize| wire.compensated.as_ref()?.get(index).map(|told| told.step);
     let told = |index: usize| {
         let step = setup.signs.machine(commanded(index)?);
         Some([step.feed_mm, step.rotate_deg, step.bend_deg])
@@ -109,7 +109,8 @@ fn facts(setup: &Setup, wire: &Wire, length: Length) -> Vec<(String, String)> {
     let unknown = || "not known".to_owned();
     let model = &setup.model.wire;
     let motion = &setup.model.compensation.motion;
-    let fed = wire.compensated.as_ref().map(|steps| motion.fed(steps.iter().map(|step| step.feed).sum()));
+    let fed =
+        wire.compensated.as_ref().map(|steps| motion.fed(steps.iter().map(|told| told.step.feed).sum()));
     let stock = wire.stock_mm.and_then(|stock| Length::from_mm(stock).ok());
     let tail = Some(setup.model.limits.tail.value);
     let cost = |length: Option<Length>| {

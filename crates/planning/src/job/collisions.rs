@@ -14,7 +14,7 @@ use wirebend_core::wireframe::{EdgeId, VertexId};
 use wirebend_files::document::JobWire;
 
 use crate::contacts::first_contacts;
-use crate::machine::{Setup, kept_steps};
+use crate::machine::{Setup, kept_steps, told_steps};
 use crate::text;
 
 /// So many are named.
@@ -102,7 +102,7 @@ fn none_found(bodies: usize, estimates: usize) -> String {
 pub(crate) fn scheduled(wire: &JobWire, setup: &Setup) -> Result<ScheduledWire, String> {
     let damaged = |error: crate::PlanningError| error.to_string();
     let (steps, told) =
-        (kept_steps(&wire.scheduled).map_err(damaged)?, kept_steps(&wire.compensated).map_err(damaged)?);
+        (kept_steps(&wire.scheduled).map_err(damaged)?, told_steps(&wire.compensated).map_err(damaged)?);
     let path: Vec<Point3<f64>> = wire.path_mm.iter().copied().map(Point3::from).collect();
     let (start, _) = program_of_path(&path, setup.model.straight).map_err(|error| error.to_string())?;
     if wire.spans.len() != steps.len() || told.len() != steps.len() || path.len() != wire.vertices.len() {

@@ -2,6 +2,7 @@
 
 use nalgebra::Point3;
 use wirebend_core::bend::{Step, straight_lengths};
+use wirebend_core::compensate::ToldStep;
 use wirebend_core::units::Length;
 use wirebend_driver_host::api;
 
@@ -11,7 +12,7 @@ use crate::machine::Setup;
 pub struct Stages<'a> {
     pub path: &'a [Point3<f64>],
     pub nominal: &'a [Step],
-    pub compensated: Option<&'a [Step]>,
+    pub compensated: Option<&'a [ToldStep]>,
     pub stock_mm: Option<f64>,
     pub time_s: Option<f64>,
 }
@@ -45,7 +46,7 @@ fn wire(setup: &Setup, stages: &Stages) -> api::Wire {
         bend_deg: step.bend.deg(),
         straight_mm: straight.map(Length::mm),
     });
-    let machine = |told: &[Step]| setup.signs.machine_steps(told, &setup.model.compensation);
+    let machine = |told: &[ToldStep]| setup.signs.machine_steps(told, &setup.model.compensation);
     api::Wire {
         path_mm: stages.path.iter().map(|point| [point.x, point.y, point.z]).collect(),
         design: design.collect(),

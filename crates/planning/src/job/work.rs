@@ -9,7 +9,7 @@ use wirebend_driver_host::{HostError, OpenDriver};
 use wirebend_files::document::{Job, JobPause, JobWire};
 use wirebend_profile::{BendFigures, MachineProfile};
 
-use crate::machine::{Setup, kept_steps};
+use crate::machine::{Setup, told_steps};
 use crate::{DriverProblem, Installation, PlanningError};
 
 /// The machine's driver with the settings of its profile.
@@ -28,7 +28,7 @@ pub fn work(setup: &Setup, job: &Job, name: &str, index: usize) -> Result<WireJo
     let damaged =
         |reason: &str| PlanningError::DamagedJob { name: name.to_owned(), reason: reason.to_owned() };
     let wire = job.contents().wires.get(index).ok_or_else(|| damaged("it has not so many wires"))?;
-    let compensated = kept_steps(&wire.compensated)?;
+    let compensated = told_steps(&wire.compensated)?;
     let steps = setup.signs.machine_steps(&compensated, &setup.model.compensation);
     let run = api::Run {
         job_hash: job.hash().to_owned(),
@@ -48,7 +48,7 @@ pub fn work(setup: &Setup, job: &Job, name: &str, index: usize) -> Result<WireJo
 
 /// How long each step takes by the machine's time model.
 fn estimates(setup: &Setup, wire: &JobWire) -> Result<Vec<Duration>, PlanningError> {
-    let steps = kept_steps(&wire.compensated)?;
+    let steps = told_steps(&wire.compensated)?;
     let program = CompensatedProgram::from_job_steps(steps, &setup.model.compensation);
     let each = setup.model.time.each_step(&program);
     Ok(each.map(|step| Duration::try_from_secs_f64(step.total()).unwrap_or_default()).collect())
@@ -57,7 +57,8 @@ fn estimates(setup: &Setup, wire: &JobWire) -> Result<Vec<Duration>, PlanningErr
 /// What a simulated machine has to know; `None` for a machine without a pin and a peg that go about the wire.
 fn bench(setup: &Setup) -> Result<Option<Bench>, PlanningError> {
     let (machine, wire) = (setup.machine.figures()?, setup.material.figures()?);
-    let BendFigures::Peg { rod_radius_mm, orbit_radius_mm, orbit_offset_mm, axis_limit_deg } = machine.bend
+    let BendFigures::Peg { rod_radius_mm, orbit_radius_mm, orbit_offset_mm, axis_limit_deg, .. } =
+        machine.bend
     else {
         return Ok(None);
     };

@@ -303,7 +303,7 @@ pub(crate) fn job_wire(plan: &WirePlan, pauses: &[JobPause]) -> Option<JobWire> 
         nominal: steps(&nominal.steps),
         spans: nominal.spans.iter().map(|span| [span.start, span.end]).collect(),
         scheduled: steps(&scheduled.steps),
-        compensated: steps(compensated.steps()),
+        compensated: compensated.told().map(JobStep::from).collect(),
         stock_mm: plan.stock?.mm(),
         time_s: plan.seconds?,
         avoids_collisions: plan.searched.is_some_and(|searched| searched.found),

@@ -53,7 +53,7 @@ impl WireReport {
             }),
             compensated: plan.compensated.as_ref().zip(plan.stock).map(|(program, stock)| {
                 CompensatedReport {
-                    steps: program.steps().iter().copied().map(JobStep::from).collect(),
+                    steps: program.told().map(JobStep::from).collect(),
                     feed_mm: program.feed_total().mm(),
                     stock_mm: stock.mm(),
                 }

@@ -11,7 +11,7 @@ use wirebend_core::units::{Angle, Length};
 use wirebend_files::document::{JobContents, JobWire};
 
 use crate::PlanningError;
-use crate::machine::{Setup, kept_steps};
+use crate::machine::{Setup, kept_steps, told_steps};
 use crate::playback::PoseReport;
 use crate::signs::Signs;
 
@@ -58,7 +58,7 @@ impl KeptWire {
             fractions: fractions(&design, wire.spans.iter().map(|&[from, to]| from..to)),
             passes: at.into_values().filter(|passes| passes.len() > 1).collect(),
             program: CompensatedProgram::from_job_steps(
-                kept_steps(&wire.compensated)?,
+                told_steps(&wire.compensated)?,
                 &setup.model.compensation,
             ),
             length: nominal.iter().map(|step| step.feed).sum(),

@@ -95,6 +95,9 @@ pub enum BendFigures {
         orbit_offset_mm: f64,
         /// Largest axis angle either way, degrees.
         axis_limit_deg: f64,
+        /// Whether it is told to which side it bends, so that its axis may stop at zero or before it.
+        #[serde(default)]
+        before_zero: bool,
     },
     /// The axis angle is the bend angle.
     Direct {
@@ -157,6 +160,7 @@ impl MachineProfile {
                 orbit_radius_mm: v(&bend.orbit_radius_mm)?,
                 orbit_offset_mm: v(&bend.orbit_offset_mm)?,
                 axis_limit_deg: v(&bend.axis_limit_deg)?,
+                before_zero: bend.before_zero.unwrap_or_default(),
             },
             BendMethod::Direct => BendFigures::Direct { axis_limit_deg: v(&bend.axis_limit_deg) },
         })

@@ -102,7 +102,8 @@ fn the_kits_axis_reaches_its_largest_bend_with_springback() {
     let figures = library.machine("wirebend-kit").unwrap().figures().unwrap();
     let wire = library.material("aluminium-6061-t6-3mm").unwrap().figures().unwrap();
     let Springback::Constant { angle_deg } = wire.springback else { panic!("a constant") };
-    let BendFigures::Peg { rod_radius_mm, orbit_radius_mm, orbit_offset_mm, axis_limit_deg } = figures.bend
+    let BendFigures::Peg { rod_radius_mm, orbit_radius_mm, orbit_offset_mm, axis_limit_deg, .. } =
+        figures.bend
     else {
         panic!("a peg")
     };

@@ -163,6 +163,50 @@ fn the_peg_comes_out_beside_wire_that_is_bent_towards_it() {
     }
 }
 
+/// A slight bend away from a corner within the peg's reach: the wire is in the peg's way before the axis is at zero. The job says to
+/// which side it bends, and the machine makes it so; a machine that cannot be told is not asked to.
+#[test]
+fn a_bend_may_end_before_the_axis_is_at_zero() {
+    let shop = Shop::cube();
+    let mut corners = vec![[0.0, 0.0], [80.0, 0.0]];
+    for (edge, turn) in [(27.0, 40.0_f64), (80.0, 37.0)] {
+        let [x, y] = corners[corners.len() - 1];
+        let (sin, cos) = turn.to_radians().sin_cos();
+        corners.push([x + edge * cos, y + edge * sin]);
+    }
+    let mut lines: Vec<String> = corners.iter().map(|[x, y]| format!("v {x} {y} 0")).collect();
+    lines.push("l 1 2 3 4\n".to_owned());
+    std::fs::write(shop.path().join("slight.obj"), lines.join("\n")).unwrap();
+    shop.run(&["plan", "slight.obj", "-m", "wirebend-kit", "-o", "a.wbjob", "--force"]).ended(0);
+    let job: Value = serde_json::from_slice(&std::fs::read(shop.path().join("a.wbjob")).unwrap()).unwrap();
+    let told = &job["wires"][0]["compensated"][1];
+    let (bend, approach) = (told["bend_deg"].as_f64().unwrap(), told["approach_deg"].as_f64().unwrap());
+    let designed = job["wires"][0]["scheduled"][1]["bend_deg"].as_f64().unwrap();
+    assert!(bend * designed < 0.0 && bend * approach > 0.0 && approach.abs() > bend.abs(), "{told}");
+    assert!(job["wires"][0]["compensated"][0].get("approach_deg").is_none(), "its sign is its side");
+
+    let ran = shop.run(&["run", "a.wbjob", "--port", "sim:max", "--yes", "--json"]).ended(0);
+    assert!(!ran.err.contains("mishap"), "{}", ran.err);
+    let made = ran.json();
+    let off = made["wires"][0]["deviations_mm"].as_array().unwrap();
+    let worst = off.iter().map(|mm| mm.as_f64().unwrap()).fold(0.0, f64::max);
+    assert!(worst < 0.6, "{off:?}");
+
+    // The text of the machine's authors has no place for a side.
+    let said = shop.run(&["export", "a.wbjob", "-o", "a.txt"]).ended(4).err;
+    assert!(said.contains("wire 1, step 2"), "{said}");
+    // Without the figure it cannot be pressed, as ever.
+    let machines = shop.path().join("profiles/machines");
+    std::fs::create_dir_all(&machines).unwrap();
+    let plain = json!({"schema_version": 1, "kind": "machine", "id": "plain", "inherits": "wirebend-kit",
+        "bend": {"before_zero": false}});
+    std::fs::write(machines.join("plain.json"), plain.to_string()).unwrap();
+    let said =
+        shop.run(&["--profiles", "profiles", "plan", "slight.obj", "-m", "plain", "--json"]).ended(4).json();
+    let codes = said["diagnostics"].as_array().unwrap();
+    assert!(codes.iter().any(|found| found["code"] == "corner_too_near"), "{said}");
+}
+
 /// The machine that is there before anybody has bought one. A machine that cannot be simulated has to be named.
 #[test]
 fn where_no_port_is_named_the_simulated_machine_makes_the_wire() {

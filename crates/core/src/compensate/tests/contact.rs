@@ -7,7 +7,7 @@ use crate::schedule::ScheduledProgram;
 use nalgebra::{Point2, Point3, Rotation3, Vector3};
 
 /// Bends in one plane or another, each after an edge of so many mm and a turn of the head, degrees.
-fn program(edges: &[(f64, f64, f64)]) -> ScheduledProgram {
+pub(super) fn program(edges: &[(f64, f64, f64)]) -> ScheduledProgram {
     let step = |&(feed, rotate, bend)| Step { feed: mm(feed), rotate: deg(rotate), bend: deg(bend) };
     ScheduledProgram { steps: edges.iter().map(step).collect(), head: vec![Angle::ZERO; edges.len()] }
 }
@@ -45,10 +45,11 @@ fn the_peg_comes_out_clear_of_wire_that_is_bent_towards_it() {
         let program = program(&[(100.0, 0.0, before), (edge, 0.0, bend)]);
         let compensation = published_compensation();
         let told = compensate(&program, &compensation).unwrap();
-        let found = approaches(told.steps(), &compensation)[1];
+        let commands: Vec<ToldStep> = told.told().collect();
+        let found = approaches(&commands, &compensation)[1];
         // A job that is read again has it alike, and both say how much farther that is.
         let on_straight = Angle::computed(-bend.signum() * f64::to_radians(18.25));
-        for program in [&told, &CompensatedProgram::from_job_steps(told.steps().to_vec(), &compensation)] {
+        for program in [&told, &CompensatedProgram::from_job_steps(told.told(), &compensation)] {
             let at = program.peg_comes_out(1).expect("it bends");
             assert!((at - found.unwrap_or(on_straight)).abs().deg() < 0.01, "{at}, {found:?}");
             let further = found.map_or(0.0, |at| at.abs().deg() - 18.25);
@@ -203,7 +204,8 @@ proptest! {
         if let Ok(told) = compensate(&program, &compensation)
             && told.unpressed().is_empty()
         {
-            let left = results(told.steps(), &compensation);
+            let commands: Vec<ToldStep> = told.told().collect();
+            let left = results(&commands, &compensation);
             for (left, step) in left.iter().zip(&program.steps) {
                 prop_assert!((left.deg() - step.bend.deg()).abs() < 1e-6, "{left} for {}", step.bend);
             }

@@ -3,7 +3,7 @@
 use wirebend_core::bend::Step;
 use wirebend_core::compensate::{
     BendModel, Compensation, FeedModel, MotionModel, PegGeometry, Springback, SpringbackCurve,
-    SpringbackPoint, approaches, compensate,
+    SpringbackPoint, ToldStep, approaches, compensate,
 };
 use wirebend_core::schedule::ScheduledProgram;
 use wirebend_core::units::Angle;
@@ -63,6 +63,11 @@ fn setback(page: &mut Document) -> PegGeometry {
     }
     let [touching] = page.sentence("At {}° the peg just touches straight wire.");
     touching.is(peg.axis_for(deg(0.0)).unwrap().deg());
+    let [at_zero, small, before_zero] = page.sentence(
+        "Wire that is pressed to less than {}° is bent enough before the axis is at zero: to {}° at {}°.",
+    );
+    at_zero.is(peg.bend_at(Angle::ZERO).deg());
+    before_zero.is(peg.axis_for(deg(small.value)).unwrap().deg());
     let [reach] = page.sentence("For this bend head the function rises up to {}°.");
     reach.is(peg.reach().deg());
     let [within] =
@@ -163,6 +168,7 @@ fn near_corners(page: &mut Document, peg: PegGeometry) {
             springback: Some(Springback::Constant(deg(loss.value))),
             setback: Some(peg),
             axis_limit: None,
+            before_zero: false,
         },
         motion: MotionModel::default(),
     };
@@ -185,7 +191,8 @@ fn near_corners(page: &mut Document, peg: PegGeometry) {
         "Before the bend of {}° after one of {}° to the other side and an edge of {} mm it is {}°.",
     );
     let beside = program(&[(100.0, -last.value), (apart.value, next.value)]);
-    out.is(-approaches(beside.steps(), &compensation)[1].unwrap().deg());
+    let commands: Vec<ToldStep> = beside.told().collect();
+    out.is(-approaches(&commands, &compensation)[1].unwrap().deg());
     axis.is(told(&[(100.0, before.value), (edge.value, bend.value)])[1]);
     other_axis.is(told(&[(100.0, -other.value), (far.value, bend.value)])[1]);
     straight.is(told(&[(100.0, before.value), (100.0, bend.value)])[1]);
@@ -219,6 +226,7 @@ fn commands(page: &mut Document, peg: PegGeometry) {
         springback: Some(Springback::Constant(deg(loss.value))),
         setback: Some(peg),
         axis_limit: None,
+        before_zero: false,
     };
     for (bend, axis) in [(a, a_axis), (b, b_axis), (c, c_axis)] {
         axis.is(model.command(deg(bend.value)).unwrap().deg());

@@ -33,6 +33,7 @@ fn published() -> Compensation {
             springback: Some(Springback::Constant(deg(10.23))),
             setback: Some(PegGeometry::new(mm(20.4), mm(12.0), mm(3.0), mm(4.675)).unwrap()),
             axis_limit: None,
+            before_zero: false,
         },
         motion: MotionModel::default(),
     }

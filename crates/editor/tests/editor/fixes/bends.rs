@@ -76,8 +76,8 @@ fn a_bend_beyond_the_axis_is_opened_to_what_it_reaches() {
 /// made larger, it is one. The least bend is where 12·sin θ - 4.675 - 3·(1 - cos θ) = -20.4·sin θ: at 8.36°.
 #[test]
 fn a_bend_that_is_too_small_is_made_none_or_larger() {
-    let (_folder, app) =
-        machine_with(r#""compensation": {"feed": true, "setback": true, "springback": false}"#);
+    let untold = r#""compensation": {"feed": true, "setback": true, "springback": false}, "bend": {"before_zero": false}"#;
+    let (_folder, app) = machine_with(untold);
     let points = [[0., 0., 0.], [80., 0., 0.], [160., 2., 0.]];
     let mut editor = strand(&app, "other", &points);
     let fixes = promised(&mut editor, &app);

@@ -17,7 +17,7 @@ fn bend(deg: f64) -> Move {
 }
 
 const fn axes(feed_mm: f64, rotate_deg: f64, bend_deg: f64) -> JobStep {
-    JobStep { feed_mm, rotate_deg, bend_deg }
+    JobStep { feed_mm, rotate_deg, bend_deg, approach_deg: None }
 }
 
 /// Right-handed about an axis of length 1.

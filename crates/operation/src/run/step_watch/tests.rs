@@ -7,7 +7,7 @@ const STEP: CommandedStep = CommandedStep {
 };
 
 const fn axes(feed_mm: f64, rotate_deg: f64, bend_deg: f64) -> JobStep {
-    JobStep { feed_mm, rotate_deg, bend_deg }
+    JobStep { feed_mm, rotate_deg, bend_deg, approach_deg: None }
 }
 
 fn watch() -> StepWatch {
@@ -95,4 +95,17 @@ fn it_takes_what_it_knows_anew_where_steps_were_missed() {
     let mut watch = watch();
     seen(&mut watch, 0, &[axes(0., 0., 0.), axes(30., 0., 0.)]);
     assert_eq!(seen(&mut watch, 4, &[axes(500., 0., 0.), axes(520., 0., 0.)]), [0.0, 0.2]);
+}
+
+/// On its way to where the peg comes out, and back from there, the axis passes where it bends to.
+#[test]
+fn a_bend_that_ends_before_zero_begins_where_the_peg_comes_out() {
+    let step = CommandedStep {
+        commanded: JobStep { approach_deg: Some(-20.0), ..axes(40.0, 0.0, -5.0) },
+        seconds: StepSeconds { feed: 4.0, rotate: 0.0, bend: 4.0, wait: 2.0 },
+    };
+    let bend = [0.0, -10.0, -20.0, -12.5, -5.0, -12.5, -20.0, 0.0].map(|at| axes(40.0, 0.0, at));
+    let places = [&[axes(0.0, 0.0, 0.0)][..], &bend].concat();
+    let expected = [0.0, 0.4, 0.4, 0.4, 0.6, 0.7, 0.8, 0.9, 0.9];
+    assert_eq!(seen(&mut StepWatch::new(vec![step]), 0, &places), expected);
 }

@@ -51,6 +51,13 @@ export const MACHINE_GROUPS: readonly FieldGroup[] = [
     title: "Bend axis",
     fields: [
       { key: "bend.axis_limit_deg", label: "Axis limit, either way", kind: "number", unit: DEG },
+      {
+        key: "bend.before_zero",
+        label: "Bends before zero",
+        kind: "yes-no",
+        absent: "no",
+        hint: "The controller is told the side of a bend, so that its axis may stop before zero.",
+      },
       { key: "bend.rate_deg_per_s", label: "Speed", kind: "number", unit: "°/s" },
       { key: "bend.resolution_deg", label: "Smallest step", kind: "number", unit: DEG },
       { key: "bend.torque_n_m", label: "Torque for the wire", kind: "number", unit: "N m", absent: "not known" },
