@@ -74,7 +74,7 @@ fn measured(shop: &mut Shop) -> Measurements {
                 Measured::Bend => {
                     let read = readings(&|repeat| bent[repeat].bends()[step].angle_deg, 0.5);
                     let readings = read.into_iter().map(|read| Some(deg(read))).collect();
-                    measured.angles.push(AngleSample { axis: told[step].bend, readings });
+                    measured.angles.push(AngleSample::beyond_zero(told[step].bend, readings));
                 }
                 Measured::Side => {
                     let read = readings(&|repeat| side(&bent[repeat], step), 0.05);

@@ -92,7 +92,8 @@ pub(super) fn fit(
     choice: ShapeChoice,
 ) -> Result<Outcome<BendFit>, CalibrationError> {
     let before = assumed.bend_model()?;
-    let expected: Vec<Angle> = samples.iter().map(|sample| before.result(sample.axis)).collect();
+    let expected: Vec<Angle> =
+        samples.iter().map(|sample| before.result_to(sample.side, sample.axis)).collect();
     let likely = as_the_table_has_it(samples, &expected);
     let readings: Vec<&[Option<Angle>]> = samples.iter().map(|sample| sample.readings.as_slice()).collect();
     let mut screened = screen(
@@ -100,7 +101,7 @@ pub(super) fn fit(
         &readings,
         Figure::Angle,
         |k| Figure::Angle(expected[k]),
-        |k, reading| bend(samples[k].axis, assumed.axis_limit, likely[k], reading),
+        |k, reading| bend(&samples[k], assumed.axis_limit, likely[k], reading),
     );
     let none = |screened: Screened, given| Outcome {
         fit: None,
@@ -111,11 +112,12 @@ pub(super) fn fit(
     if screened.data.is_empty() {
         return Ok(none(screened, given));
     }
-    let axes: Vec<Angle> = screened.samples.iter().map(|&k| samples[k].axis).collect();
+    let told: Vec<Told> =
+        screened.samples.iter().map(|&k| Told { axis: samples[k].axis, side: samples[k].side }).collect();
     let expected: Vec<f64> = screened.samples.iter().map(|&k| expected[k].deg()).collect();
-    let commanded = |k: usize| Figure::Angle(axes[k]);
+    let commanded = |k: usize| Figure::Angle(told[k].axis);
     let no_solution = |_| CalibrationError::NoSolution { kind: Kind::Bends };
-    let side = Side { assumed, before: &before, axes: &axes };
+    let side = Side { assumed, before: &before, told: &told };
 
     let most = match choice {
         ShapeChoice::Fixed(SpringbackShape::Constant) => Knots::default(),
@@ -157,11 +159,18 @@ pub(super) fn fit(
     Ok(Outcome { fit: Some(fit), left_out: screened.left_out, gaps })
 }
 
+/// Where the axis went, and to which side it bent.
+#[derive(Debug, Clone, Copy)]
+struct Told {
+    axis: Angle,
+    side: f64,
+}
+
 /// The bends that were commanded, and the machine that made them.
 struct Side<'a> {
     assumed: &'a Assumed,
     before: &'a BendModel,
-    axes: &'a [Angle],
+    told: &'a [Told],
 }
 
 impl Side<'_> {
@@ -172,7 +181,7 @@ impl Side<'_> {
             let (peg, losses) = parameters.split_at(dimensions.min(parameters.len()));
             let peg = PegDimensions::try_from(peg).ok();
             let model = bend_model(peg, knots.springback(losses));
-            self.axes.iter().map(|&axis| model.result(axis).deg()).collect()
+            self.told.iter().map(|told| model.result_to(told.side, told.axis).deg()).collect()
         }
     }
 
@@ -209,12 +218,13 @@ impl Side<'_> {
         let of = |sample: usize| {
             screened.data.iter().filter(|datum| datum.sample == sample).map(|datum| datum.value).collect()
         };
-        let medians = (0..self.axes.len()).map(|sample| median(of(sample)));
+        let medians = (0..self.told.len()).map(|sample| median(of(sample)));
         medians.filter(|angle| *angle != 0.0).collect()
     }
 
     fn gaps(&self, screened: &Screened) -> Vec<Gap> {
-        let mut axes: Vec<Angle> = screened.data.iter().map(|datum| self.axes[datum.sample]).collect();
+        let told = || screened.data.iter().map(|datum| self.told[datum.sample]);
+        let mut axes: Vec<Angle> = told().map(|told| told.axis).collect();
         axes.sort();
         axes.dedup_by(|next, before| (*next - *before).abs().deg() < 0.05);
         let mut gaps = Vec::new();
@@ -222,7 +232,7 @@ impl Side<'_> {
             gaps.push(Gap::OneAngle { axis });
         }
         for missing in [1.0, -1.0] {
-            if axes.iter().all(|axis| axis.signum() * missing < 0.0) {
+            if told().all(|told| told.side * missing < 0.0) {
                 gaps.push(Gap::OneSide { missing });
             }
         }

@@ -6,11 +6,21 @@ use crate::units::{Angle, Length};
 /// Bends that the axis was sent to one position for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AngleSample {
-    /// Position of the bend axis, signed as the bend.
+    /// Position of the bend axis. Beyond zero it has the sign of the bend.
     pub axis: Angle,
+    /// To which side it bends, 1 or -1: small bends stay while the axis is still before zero.
+    pub side: f64,
     /// The angle that stayed, from the direction of the wire before the bend to that behind it: 0 is straight. Its sign
     /// may be left out.
     pub readings: Vec<Option<Angle>>,
+}
+
+impl AngleSample {
+    /// Bends of an axis that went beyond zero, so that its sign is the side.
+    #[must_use]
+    pub fn beyond_zero(axis: Angle, readings: Vec<Option<Angle>>) -> Self {
+        Self { axis, side: axis.signum(), readings }
+    }
 }
 
 /// The same side of a U, between two bends.

@@ -2,7 +2,7 @@
 
 use super::figure::{Figure, ReadingPlace};
 use super::least_squares::Datum;
-use super::measured::{Kind, LeftOut, LeftOutReason, OtherUnit};
+use super::measured::{AngleSample, Kind, LeftOut, LeftOutReason, OtherUnit};
 use crate::units::{Angle, Length};
 
 /// Two angles in degrees that are meant as one by a person who read in another unit.
@@ -62,17 +62,17 @@ pub(super) fn screen<V: Copy>(
     screened
 }
 
-/// A bend, signed as the axis was commanded; `expected` is its size by the figures of before.
+/// A bend, signed as its side; `expected` is its size by the figures of before.
 pub(super) fn bend(
-    axis: Angle,
+    sample: &AngleSample,
     limit: Option<Angle>,
     expected: Angle,
     reading: Angle,
 ) -> Result<f64, LeftOutReason> {
-    if let Some(limit) = limit.filter(|limit| axis.abs() > *limit) {
+    if let Some(limit) = limit.filter(|limit| sample.axis.abs() > *limit) {
         return Err(LeftOutReason::AxisOutOfRange { limit });
     }
-    let size = turn(axis, expected, reading)?;
+    let size = turn(Angle::computed(sample.side), expected, reading)?;
     let (read, wanted) = (size.abs(), expected.abs().deg());
     if read == 0.0 {
         return Err(LeftOutReason::NoBend);

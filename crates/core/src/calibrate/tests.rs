@@ -72,10 +72,8 @@ fn ladder(
         .map(|angle| {
             let axis = asked.command(deg(angle)).unwrap();
             let made = truth.result(axis).deg();
-            AngleSample {
-                axis,
-                readings: (0..repeats).map(|_| Some(deg(made + random.next(scatter)))).collect(),
-            }
+            let readings = (0..repeats).map(|_| Some(deg(made + random.next(scatter))));
+            AngleSample::beyond_zero(axis, readings.collect())
         })
         .collect()
 }

@@ -1,4 +1,4 @@
-//! The sheet of a calibration: what was bent, by which commands, and what was read of it; and tables of pin angles.
+//! The sheet of a calibration: what was bent, by which commands, and what was read of it.
 
 use wirebend_error::ErrorRemedy;
 
@@ -175,42 +175,6 @@ fn comments(text: &str) -> Vec<String> {
     lines.filter(|line| line.starts_with('#') && !is_own(line)).map(str::to_owned).collect()
 }
 
-/// A pair of a table as programs for bending keep it: how far the pin was moved, and how much of that the wire took back.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PinPair {
-    /// Its line, from 1.
-    pub line: usize,
-    /// How far the pin was moved, degrees, signed as the bend.
-    pub pin_deg: f64,
-    /// What the wire took back of it, degrees.
-    pub springback_deg: f64,
-}
-
-/// Reads a table of pin angle and springback angle: two columns, in this order, or as a header line names them. A pair
-/// without a springback has none.
-///
-/// # Errors
-/// [`ReadError`] with the line of what is no number, or where there is no pair.
-pub fn pin_table(file: &str, bytes: &[u8]) -> Result<Vec<PinPair>, ReadError> {
-    let source = Source { name: file };
-    let text = decode(bytes);
-    let table = Table::parse(&text);
-    let springback = table.column(&["springback", "spring", "loss"]).unwrap_or(1);
-    let pin = table.column(&["pin", "bend", "angle"]).unwrap_or(usize::from(springback == 0));
-    let mut pairs = Vec::new();
-    for (row, (line, _)) in table.rows.iter().enumerate() {
-        let value = |column: usize| table.value(source, row, column);
-        if let (Some(pin_deg), Some(springback_deg)) = (value(pin)?, value(springback)?) {
-            pairs.push(PinPair { line: *line, pin_deg, springback_deg });
-        }
-    }
-    if pairs.is_empty() {
-        let expected = "pair of pin angle and springback angle";
-        return Err(ReadError::Empty { file: file.to_owned(), expected, but: String::new() });
-    }
-    Ok(pairs)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -282,15 +246,5 @@ mod tests {
         for (text, message) in broken {
             assert_eq!(MeasuringSheet::read("s.csv", text.as_bytes()).unwrap_err().to_string(), message);
         }
-    }
-
-    #[test]
-    fn tables_of_pin_angles_are_read_in_either_order() {
-        let pair = |line, pin_deg, springback_deg| PinPair { line, pin_deg, springback_deg };
-        let plain = pin_table("t", b"20 5.5\n40 6\n60\n").unwrap();
-        assert_eq!(plain, [pair(1, 20.0, 5.5), pair(2, 40.0, 6.0)]);
-        let named = pin_table("t", b"springback_angle,pin_angle\n5.5,20\n6,40\n").unwrap();
-        assert_eq!(named, [pair(2, 20.0, 5.5), pair(3, 40.0, 6.0)]);
-        assert!(pin_table("t", b"nothing\n").is_err());
     }
 }

@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_error::InputName;
 use wirebend_files::document::JobStep;
-use wirebend_files::read::{MeasuringSheet, SheetQuantity, SheetRow, pin_table, read_file};
+use wirebend_files::read::{MeasuringSheet, PinPair, SheetQuantity, SheetRow, pin_table, read_file};
 
 use super::coupons::over_outside;
 use crate::machine::mm;
@@ -92,22 +92,29 @@ impl SheetFile {
         Ok(())
     }
 
-    /// Rows from a table of pin angle and springback angle.
+    /// Rows from a table of pin angles; readings of one angle are one row.
     pub fn add_pin_table(&mut self, file: &Path) -> Result<(), PlanningError> {
         let pairs = pin_table(&file.display().to_string(), &read_file(file)?)?;
         self.entered += pairs.len();
-        self.sheet.rows.extend(pairs.into_iter().map(|pair| {
-            let left = pair.pin_deg.signum() * (pair.pin_deg.abs() - pair.springback_deg);
-            SheetRow {
-                line: 0,
-                coupon: format!("pin-{}", pair.pin_deg),
-                quantity: SheetQuantity::Bend,
-                wanted: left,
-                commanded: pair.pin_deg,
-                axes_deg: None,
-                readings: vec![Some(left)],
+        let mut rows: Vec<SheetRow> = Vec::new();
+        for PinPair { pin_deg, left_deg, .. } in pairs {
+            let same = |row: &&mut SheetRow| {
+                (row.commanded - pin_deg).abs() < SAME_COMMAND && row.wanted.signum() == left_deg.signum()
+            };
+            match rows.iter_mut().find(same) {
+                Some(row) => row.readings.push(Some(left_deg)),
+                None => rows.push(SheetRow {
+                    line: 0,
+                    coupon: format!("pin-{pin_deg}"),
+                    quantity: SheetQuantity::Bend,
+                    wanted: left_deg,
+                    commanded: pin_deg,
+                    axes_deg: None,
+                    readings: vec![Some(left_deg)],
+                }),
             }
-        }));
+        }
+        self.sheet.rows.extend(rows);
         Ok(())
     }
 

@@ -29,10 +29,13 @@ impl<'a> OfSheet<'a> {
             match row.quantity {
                 SheetQuantity::Bend => {
                     found.bends.push(row);
-                    found
-                        .measured
-                        .angles
-                        .push(AngleSample { axis: deg(row.commanded)?, readings: angles()? });
+                    // A small bend may stay while the axis is still before zero: what was wanted has the side.
+                    let side = if row.wanted == 0.0 { row.commanded } else { row.wanted }.signum();
+                    found.measured.angles.push(AngleSample {
+                        axis: deg(row.commanded)?,
+                        side,
+                        readings: angles()?,
+                    });
                 }
                 SheetQuantity::Side => {
                     let [before, after] = row.axes_deg.unwrap_or_default();

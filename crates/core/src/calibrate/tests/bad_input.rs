@@ -14,7 +14,7 @@ fn fit(angles: Vec<AngleSample>) -> Calibration {
 #[test]
 fn positions_out_of_the_axis_range_are_left_out_by_name() {
     let mut angles = ladder(&truth(), &[40.0, 80.0, 120.0], 1, 0.1, &mut Normals::new(1));
-    angles.push(AngleSample { axis: deg(170.0), readings: vec![Some(deg(150.0))] });
+    angles.push(AngleSample::beyond_zero(deg(170.0), vec![Some(deg(150.0))]));
     let found = fit(angles);
     assert_eq!(found.left_out.len(), 1);
     assert_eq!(found.left_out[0].place, ReadingPlace { sample: 6, repeat: 0 });
@@ -114,7 +114,7 @@ fn other_units_are_recognised_row_by_row() {
 fn a_bend_to_the_other_side_and_one_that_left_nothing_are_no_angles() {
     let mut angles = ladder(&truth(), &[60.0, 80.0, 100.0], 2, 0.1, &mut Normals::new(9));
     angles[0].readings[1] = Some(deg(-60.0));
-    angles.push(AngleSample { axis: deg(5.0), readings: vec![Some(deg(0.0))] });
+    angles.push(AngleSample::beyond_zero(deg(5.0), vec![Some(deg(0.0))]));
     let named: Vec<_> = fit(angles).left_out.iter().map(|left| left.reason).collect();
     assert_eq!(named, [LeftOutReason::OtherSide, LeftOutReason::NoBend]);
 }

@@ -39,14 +39,13 @@ impl Table {
         for row in self.text.lines().skip(1) {
             let (axis, left) = row.split_once(',').unwrap();
             let [axis, left] = [axis, left].map(|text| deg(text.trim().parse().unwrap()));
-            // Where the pin touches the wire was computed. The side of a bend is the sign of its command here, so that bends by
-            // places before zero are none of these.
-            if left == Angle::ZERO || axis <= Angle::ZERO {
+            // Where the pin touches the wire was computed.
+            if left == Angle::ZERO {
                 continue;
             }
             match samples.iter_mut().find(|sample| sample.axis == axis) {
                 Some(sample) => sample.readings.push(Some(left)),
-                None => samples.push(AngleSample { axis, readings: vec![Some(left)] }),
+                None => samples.push(AngleSample { axis, side: left.signum(), readings: vec![Some(left)] }),
             }
         }
         samples

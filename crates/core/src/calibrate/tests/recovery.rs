@@ -59,9 +59,9 @@ fn a_springback_that_grows_with_the_angle_is_found_as_a_curve() {
     let asked = published().bend_model().unwrap();
     let axes =
         ANGLES.iter().flat_map(|&angle| [angle, -angle]).map(|angle| asked.command(deg(angle)).unwrap());
-    let samples = axes.map(|axis| AngleSample {
-        axis,
-        readings: (0..3).map(|_| Some(deg(truth(axis) + random.next(0.2)))).collect(),
+    let samples = axes.map(|axis| {
+        let readings = (0..3).map(|_| Some(deg(truth(axis) + random.next(0.2))));
+        AngleSample::beyond_zero(axis, readings.collect())
     });
     let measured = Measurements { angles: samples.collect(), ..Measurements::default() };
     let bends = calibrate(&published(), &measured, ShapeChoice::Better).unwrap().bends.unwrap();
