@@ -53,7 +53,7 @@ pub use error::DriverError;
 pub use event::{Direction, DoneBy, Event, HeadBy, PausedBy, ReferenceBy, ResumeState, SettingCheck};
 pub use glue::table;
 pub use job::{DesignStep, Job, MachineRef, MaterialRef, Step, Wire};
-pub use limits::{AxisLimit, AxisRate, Beyond, Extent, Limits};
+pub use limits::{AxisLimit, AxisRate, Beyond, Extent, Lack, Limits};
 pub use number::{fixed, is_zero};
 pub use port::{Port, Ports, Usb};
 pub use schemas::message_schemas;

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{Axis, Step};
+use crate::{Axis, Capability, Step};
 
 /// Reply of [`Call::Limits`](crate::Call::Limits): what the driver and its machine take with the settings that the
 /// driver was opened with. The program plans within it, so that nothing is refused in the middle of a wire.
@@ -15,6 +15,20 @@ pub struct Limits {
     /// How fast axes go. An axis is left out where the driver does not know.
     #[serde(default)]
     pub rates: Vec<AxisRate>,
+    /// What the driver can and this machine cannot. Since 1.6.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub lacks: Vec<Lack>,
+}
+
+/// Something that a driver can and its machine cannot.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Lack {
+    /// What.
+    pub capability: Capability,
+    /// Why, for a person: "firmware 1.12; it needs 1.13".
+    pub reason: String,
+    /// What to do about it.
+    pub help: String,
 }
 
 /// How far an axis goes, to either side.

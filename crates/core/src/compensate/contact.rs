@@ -253,6 +253,11 @@ impl PegGeometry {
         -(self.peg / self.orbit_radius).asin()
     }
 
+    /// A bend of straight wire is slight up to here: as far beyond zero as the peg touches that wire before it.
+    pub(super) fn slight(&self) -> Angle {
+        Angle::computed(-self.touches_straight())
+    }
+
     /// How far before zero the bend axis stands when the peg comes out beside straight wire.
     #[must_use]
     pub fn near_side(&self) -> Angle {

@@ -118,8 +118,8 @@ impl BendModel {
         let touch = peg.pressing(self.pressed(bend).rad(), leg, beyond);
         let within = |axis: f64| self.axis_limit.is_none_or(|limit| axis.abs() <= limit.rad());
         let approach = peg.approach(leg(0.0), beyond).ok().filter(|at| at.is_none_or(within));
-        // Past a corner to elsewhere only what is small: a larger bend would be made by pushing at that corner, which gives as well.
-        let is_small = || self.axis(bend).is_some_and(|axis| axis <= Angle::ZERO);
+        // Past a corner to elsewhere only what is slight: a larger bend would be made by pushing at that corner, which gives as well.
+        let is_small = || self.axis(bend).is_some_and(|axis| axis <= peg.slight());
         let forward =
             |touch: &Touch| touch.axis > 0.0 || (self.before_zero && (!touch.past_other || is_small()));
         let touch = touch.filter(|touch| forward(touch) && within(touch.axis));

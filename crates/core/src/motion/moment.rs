@@ -64,8 +64,11 @@ fn moments_of(step: &MachineStep, begin: Moment, head: Angle) -> Vec<Moment> {
     let beside = Moment { bend_axis: beside.unwrap_or_default(), ..rotated };
     let out = Moment { peg_out: if wait > 0.0 { 1.0 } else { begin.peg_out }, ..beside };
     let bent = Moment { bent: 1.0, bend_axis: step.told.bend, ..out };
-    let returned = Moment { bend_axis: Angle::ZERO, ..bent };
-    let end = Moment { peg_out: begin.peg_out, ..returned };
+    // On its way to zero the peg would bend on a wire that is bent before zero: it backs off and goes in first.
+    let before_zero = step.comes_out.filter(|at| wait > 0.0 && at.rad() * step.told.bend.rad() >= 0.0);
+    let returned = Moment { bend_axis: before_zero.unwrap_or_default(), ..bent };
+    let inside = Moment { peg_out: begin.peg_out, ..returned };
+    let end = Moment { bend_axis: Angle::ZERO, ..inside };
     let parts = [
         (feed, fed),
         (rotate, rotated),
@@ -73,7 +76,8 @@ fn moments_of(step: &MachineStep, begin: Moment, head: Angle) -> Vec<Moment> {
         (if beside == rotated { wait / 2.0 } else { wait / 4.0 }, out),
         (bend / 2.0, bent),
         (bend / 2.0, returned),
-        (wait / 2.0, end),
+        (if end == inside { wait / 2.0 } else { wait / 4.0 }, inside),
+        (if end == inside { 0.0 } else { wait / 4.0 }, end),
     ];
     let mut moments = vec![begin];
     let mut passed = 0.0;

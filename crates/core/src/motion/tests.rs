@@ -278,6 +278,23 @@ fn the_bend_axis_is_beside_the_wire_when_the_peg_comes_out() {
     }
 }
 
+/// On its way to zero the peg would bend the wire on: it goes back to where it came out, goes in, and the axis returns without it.
+#[test]
+fn the_peg_goes_in_beside_the_wire_that_is_bent_before_zero() {
+    let whole = machine_step([1.0, 2.0, 4.0, 3.0]);
+    let told = Step { bend: deg(-10.4), ..whole.told };
+    let made = moments(&[MachineStep { comes_out: Some(deg(-26.0)), told, ..whole }]);
+    for (seconds, wanted) in [
+        (4.5, [1.0, 1.0, 0.0, -0.5, 1.0]),
+        (6.5, [1.0, 1.0, 1.0, -0.2, 1.0]),
+        (8.5, [1.0, 1.0, 1.0, -0.5, 1.0]),
+        (9.25, [1.0, 1.0, 1.0, -0.5, 0.0]),
+        (10.0, [1.0, 1.0, 1.0, 0.0, 0.0]),
+    ] {
+        assert_eq!(at(&made[0], seconds / 10.0)[..], wanted, "after {seconds} s");
+    }
+}
+
 #[test]
 fn the_head_goes_on_from_where_the_step_before_has_left_it() {
     let steps = [machine_step([1.0, 2.0, 4.0, 3.0]), machine_step([1.0, 2.0, 4.0, 3.0])];

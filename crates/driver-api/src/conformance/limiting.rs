@@ -2,7 +2,7 @@
 
 use super::subject::done;
 use super::{Conformance, Subject};
-use crate::{AxisLimit, AxisRate, Call, Description, DriverError, Limits, Reply};
+use crate::{AxisLimit, AxisRate, Call, Description, DriverError, Lack, Limits, Reply};
 
 pub(super) fn check(subject: &mut dyn Subject, description: &Description, found: &mut Conformance) {
     found.note("reports limits and rates above zero, with settings that it has", told(subject, description));
@@ -21,7 +21,7 @@ fn told(subject: &mut dyn Subject, description: &Description) -> Result<(), Stri
         }
         reply @ Reply::Ok(_) => done(Ok(reply))?,
     };
-    let Limits { limits, rates } =
+    let Limits { limits, rates, lacks } =
         serde_json::from_slice(&reply).map_err(|error| format!("the limits cannot be read: {error}"))?;
     for AxisLimit { axis, most, setting, reason, .. } in &limits {
         above_zero(&format!("the limit of {axis:?}"), *most)?;
@@ -29,6 +29,14 @@ fn told(subject: &mut dyn Subject, description: &Description) -> Result<(), Stri
             return Err(format!("the limit of {axis:?} names neither a setting nor a reason"));
         }
         setting.iter().try_for_each(|key| known(key, description))?;
+    }
+    for Lack { capability, reason, help } in &lacks {
+        if !description.can(*capability) {
+            return Err(format!("its machine lacks {capability:?}, which the driver cannot either"));
+        }
+        if reason.trim().is_empty() || help.trim().is_empty() {
+            return Err(format!("it does not say why its machine lacks {capability:?}, or what to do"));
+        }
     }
     for AxisRate { axis, per_s, settings } in &rates {
         above_zero(&format!("the rate of {axis:?}"), *per_s)?;

@@ -134,10 +134,12 @@ fn is_between(part: f64, whole: f64, at: f64) -> bool {
 
 /// Whether a machine that runs this can stand there. No step corrects a wire that is bent too far.
 fn is_of(step: Step, made: Step) -> bool {
-    let past = if step.bend_deg < 0.0 { -made.bend_deg } else { made.bend_deg };
+    let side = step.approach_deg.map_or(step.bend_deg.signum(), |comes_out| -comes_out.signum());
+    // With its peg in the axis returns to zero, also where the bend was before it.
+    let most = (side * step.bend_deg).max(0.0);
     is_between(made.feed_mm, step.feed_mm, FEED_AT_MM)
         && is_between(made.rotate_deg, step.rotate_deg, ROTATE_AT_DEG)
-        && past <= step.bend_deg.abs() + BENT_TOO_FAR_DEG
+        && side * made.bend_deg <= most + BENT_TOO_FAR_DEG
 }
 
 /// Whether feed and head stood when the step was ended: each has not begun or is done. Where the bend axis stands
@@ -146,4 +148,28 @@ fn is_at_rest(step: Step, made: Step) -> bool {
     let at_an_end = |made: f64, whole: f64, at: f64| made.abs() < at || (made - whole).abs() < at;
     at_an_end(made.feed_mm, step.feed_mm, FEED_AT_MM)
         && at_an_end(made.rotate_deg, step.rotate_deg, ROTATE_AT_DEG)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A step of which nothing but the bend is left.
+    fn bend(bend_deg: f64, approach_deg: Option<f64>) -> Step {
+        Step { bend_deg, approach_deg, ..Step::default() }
+    }
+
+    #[test]
+    fn a_machine_stands_within_its_bend_to_the_side_to_which_it_bends() {
+        for (step, stands, too_far) in [
+            (bend(40.0, None), [-18.0, 0.0, 41.0], 43.0),
+            (bend(-40.0, Some(26.0)), [26.0, 0.0, -41.0], -43.0),
+            // To the positive side, at zero or before it: with its peg in the axis returns to zero.
+            (bend(-5.0, Some(-18.25)), [-18.25, -5.0, 0.0], 3.0),
+            (bend(0.0, Some(18.25)), [18.25, 0.0, -1.0], -3.0),
+        ] {
+            assert!(stands.iter().all(|at| is_of(step, bend(*at, None))), "{step:?}");
+            assert!(!is_of(step, bend(too_far, None)), "{step:?}");
+        }
+    }
 }

@@ -21,7 +21,7 @@ use std::time::Duration;
 
 use serde::de::DeserializeOwned;
 use wirebend_driver_api::{
-    Call, Capability, DoneBy, Limits, ReferenceBy, ResumeState, SettingCheck, Step, deadline,
+    Call, Capability, DoneBy, DriverError, Limits, ReferenceBy, ResumeState, SettingCheck, Step, deadline,
 };
 
 use crate::driver::OpenDriver;
@@ -230,6 +230,22 @@ impl Session {
     #[must_use]
     pub const fn machine_limits(&self) -> &Limits {
         &self.limits
+    }
+
+    /// Refuses a step that the driver or its machine would bend to the wrong side. `at`: which step it is.
+    ///
+    /// # Errors
+    /// [`HostError::Refused`].
+    pub fn takes(&self, at: &str, step: &Step) -> Result<(), HostError> {
+        self.driver.takes(at, step)?;
+        let lacks = self.limits.lacks.iter().find(|lack| lack.capability == Capability::BeforeZero);
+        let Some(lack) = lacks.filter(|_| step.ends_before_zero()) else { return Ok(()) };
+        let message = format!(
+            "the bend axis stops before zero in {at}, at {:.2}°, and the machine is not told to which side that is: {}",
+            step.bend_deg, lack.reason
+        );
+        let error = DriverError::new("unsupported", message, lack.help.clone());
+        Err(HostError::Refused { driver: self.driver.description().id.clone(), error })
     }
 
     /// Bends wires although settings of the machine differ.

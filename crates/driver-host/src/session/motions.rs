@@ -135,7 +135,7 @@ impl Session {
         if !follows || last > total || (steps.is_empty() && last < total) {
             return Err(SessionError::Steps { sent: self.sent, total });
         }
-        steps.iter().try_for_each(|step| self.driver.takes(&format!("step {}", step.n), &step.step))?;
+        steps.iter().try_for_each(|step| self.takes(&format!("step {}", step.n), &step.step))?;
         let call = Call::Send(Batch { steps: steps.to_vec(), last: last == total });
         let place = self.head.sends(steps.iter())?;
         let called = self.motion_for("sending steps", &call);

@@ -202,6 +202,14 @@ impl Job {
     }
 }
 
+impl JobStep {
+    /// Whether its peg, where it is told a place, comes out to one side of zero, and before its bend.
+    fn has_room_for_its_peg(&self) -> bool {
+        self.approach_deg
+            .is_none_or(|comes_out| comes_out != 0.0 && comes_out.signum() * self.bend_deg < comes_out.abs())
+    }
+}
+
 impl JobFile {
     fn of(contents: &JobContents, hash: Option<String>) -> Self {
         let JobContents { design_hash, machine, material, wires, objections, program } = contents.clone();
@@ -238,6 +246,14 @@ impl JobContents {
                     "each pause point comes after another step of the wire, in order, and before its last",
                 );
             }
+            let designed = kept.nominal.iter().chain(&kept.scheduled);
+            if designed.into_iter().any(|step| step.approach_deg.is_some())
+                || !kept.compensated.iter().all(JobStep::has_room_for_its_peg)
+            {
+                return refuse(
+                    "the peg comes out farther from zero than its bend goes before it, and only where the machine is told so",
+                );
+            }
             if kept.pauses.iter().any(|pause| pause_note(&pause.note).is_none()) {
                 return refuse("each pause point says what to do");
             }
@@ -257,6 +273,7 @@ impl JobContents {
                 refuse("feed_mm", step.feed_mm)?;
                 refuse("rotate_deg", step.rotate_deg)?;
                 refuse("bend_deg", step.bend_deg)?;
+                refuse("approach_deg", step.approach_deg.unwrap_or_default())?;
             }
         }
         Ok(())

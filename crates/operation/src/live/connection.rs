@@ -77,10 +77,14 @@ impl<'a> Connection<'a> {
         Board { port: self.port.clone(), limits: self.session.machine_limits().clone() }
     }
 
-    /// Refuses a wire with a step that the driver or the machine would refuse in its middle; those before `from` are done.
+    /// Refuses a wire with a step that the driver or the machine would refuse in its middle, or bend to the wrong side; those before `from` are done.
     pub fn require_within(&self, wire: usize, steps: &[Step], from: u32) -> Result<(), DriverProblem> {
         DriverProblem::require_within(&self.driver_limits, "its driver", wire, steps, from)?;
-        DriverProblem::require_within(self.session.machine_limits(), "the machine", wire, steps, from)
+        DriverProblem::require_within(self.session.machine_limits(), "the machine", wire, steps, from)?;
+        let ahead = (1..).zip(steps).filter(|(n, _)| *n >= from);
+        ahead
+            .map(|(n, step)| (format!("step {n} of wire {}", wire + 1), step))
+            .try_for_each(|(at, step)| self.session.takes(&at, step).map_err(DriverProblem::Host))
     }
 
     /// Writes the profile's settings to the machine, for good, and waits until it has reported the result.

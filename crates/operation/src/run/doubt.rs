@@ -56,7 +56,9 @@ impl Task<'_> {
         if counted.is_none() && part == Part::default() {
             return Ok(None);
         }
-        let (_, commanded) = self.step(making.wire, step)?;
+        let (designed, commanded) = self.step(making.wire, step)?;
+        // Where the axis stops before zero its sign is not the side of the bend.
+        let bend = if commanded.approach_deg.is_some() { designed } else { commanded }.bend_deg;
         let part = self.part(part);
         let left = |whole: f64, part: f64, amount: fn(f64) -> String| {
             let rest = whole - part;
@@ -70,7 +72,7 @@ impl Task<'_> {
             "step {step} was stopped in its middle; what is left of it: {} to feed, {} to turn, and its bend of {:.1}° from the beginning",
             left(commanded.feed_mm, part.feed_mm, |mm| format!("{:.1}", Mm(mm))),
             left(commanded.rotate_deg, part.rotate_deg, |deg| format!("{deg:.1}°")),
-            commanded.bend_deg
+            bend
         )))
     }
 

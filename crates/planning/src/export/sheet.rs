@@ -1,5 +1,6 @@
 //! The job sheet: what is known of a plan or of a job, in words and numbers for a person.
 
+use wirebend_core::compensate::ToldStep;
 use wirebend_core::units::{DisplayUnit, Length, Mm};
 use wirebend_files::number::short;
 use wirebend_files::write::{Figure, Finding, JobSheet, SheetStep, SheetWire, job_sheet};
@@ -95,10 +96,14 @@ fn sheet_wire(setup: &Setup, wire: &Wire) -> SheetWire {
         let step = setup.signs.machine(commanded(index)?);
         Some([step.feed_mm, step.rotate_deg, step.bend_deg])
     };
+    let other_side = |index: usize| {
+        wire.compensated.as_ref().and_then(|steps| steps.get(index)).is_some_and(ToldStep::needs_side)
+    };
     let fed = |index: usize| commanded(index).map(|step| setup.model.compensation.motion.fed(step.feed).mm());
     let steps = wire.nominal.iter().enumerate().map(|(index, step)| SheetStep {
         designed: [step.feed.mm(), step.rotate.deg(), step.bend.deg()],
         told: told(index),
+        before_zero: other_side(index),
         fed_mm: fed(index).unwrap_or(step.feed.mm()),
     });
     SheetWire { picture: wire.picture(), facts: facts(setup, wire, length), steps: steps.collect() }

@@ -15,7 +15,7 @@ use crate::settings::{expected, steps};
 const APPROACHES_SINCE: u32 = 111;
 
 /// The firmware whose bends may end at zero or before it, 100 for 1.0.
-const BEFORE_ZERO_SINCE: u32 = 113;
+pub(super) const BEFORE_ZERO_SINCE: u32 = 113;
 /// The firmware that has dry-run moves, 100 for 1.0.
 const DRY_SINCE: u32 = 112;
 /// The firmware whose speed can be changed while it runs.

@@ -1,6 +1,6 @@
 //! What a person reads when something is not as it should be.
 
-use wirebend_driver_api::{DriverError, SettingCheck};
+use wirebend_driver_api::{Capability, DriverError, Lack, SettingCheck};
 
 use crate::protocol::{Alarm, Machine, Refusal, SETTINGS, VERSION, Versions};
 
@@ -79,6 +79,19 @@ pub(super) fn cannot_end_before_zero(n: u32, deg: f64, versions: Versions) -> Dr
         ),
         "flash the firmware of this program: firmware/README.md says how; or enlarge the bend",
     )
+}
+
+/// What a board with that firmware cannot.
+pub(super) fn lacks_before_zero(versions: Versions) -> Lack {
+    let (major, minor) = (versions.firmware / 100, versions.firmware % 100);
+    Lack {
+        capability: Capability::BeforeZero,
+        reason: format!(
+            "its firmware is {major}.{minor:02}, and 1.13 is the first that is told to which side it bends"
+        ),
+        help: "flash the firmware of this program: firmware/README.md says how; or enlarge the bend"
+            .to_owned(),
+    }
 }
 
 pub(super) fn no_faster() -> DriverError {

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use wirebend_driver_api::{DoneBy, Event, HeadBy, Limits, PausedBy, ReferenceBy, ResumeState, SettingCheck};
 
+use super::calls::BEFORE_ZERO_SINCE;
 use super::fault;
 use super::machine::{Activity, FASTEST, Halt, HeadReference, Homing, Machine};
 use super::wire_progress::WireProgress;
@@ -329,12 +330,10 @@ impl Machine {
     /// The limits that the board checks.
     fn limits(&self) -> Limits {
         // A board with damaged settings does not move.
-        self.read
-            .iter()
-            .copied()
-            .collect::<Option<Vec<i32>>>()
-            .map(|read| limits::of_board(&read))
-            .unwrap_or_default()
+        let read = self.read.iter().copied().collect::<Option<Vec<i32>>>();
+        let limits = read.map(|read| limits::of_board(&read)).unwrap_or_default();
+        let older = self.versions.filter(|versions| versions.firmware < BEFORE_ZERO_SINCE);
+        Limits { lacks: older.map(fault::lacks_before_zero).into_iter().collect(), ..limits }
     }
 
     /// Whether the last step of the wire is done.

@@ -37,9 +37,11 @@ function edgeNumbers(edges: readonly number[]): StepRow["edges"] {
 }
 
 /** A zero has no sign, and an angle that nothing turns by is a dash. */
-function motion({ feed_mm, rotate_deg, bend_deg }: Motion, unit: DisplayUnit): readonly [string, string, string] {
+function motion({ feed_mm, rotate_deg, bend_deg, approach_deg }: Motion, unit: DisplayUnit): StepRow["designed"] {
   const turn = (deg: number) => (Math.abs(deg) < 0.05 ? "–" : number(deg));
-  return [lengthNumber(feed_mm, unit), turn(rotate_deg), turn(bend_deg)];
+  // The axis stops before zero: its sign is not the side of the bend, which is that away from where the peg comes out.
+  const bend = approach_deg ? `${number(approach_deg)} to ${number(bend_deg)}` : turn(bend_deg);
+  return [lengthNumber(feed_mm, unit), turn(rotate_deg), bend];
 }
 
 export function stepRow(wire: PlayedWire, index: number, unit: DisplayUnit): StepRow | null {

@@ -69,6 +69,8 @@ pub struct SheetStep {
     pub designed: [f64; 3],
     /// As sent to the machine, in its signs; none if it could not be compensated.
     pub told: Option<[f64; 3]>,
+    /// Whether the bend axis stops at zero or before it: the bend is to the other side than its sign.
+    pub before_zero: bool,
     /// Wire that its feed gives, mm.
     pub fed_mm: f64,
 }

@@ -14,6 +14,9 @@ const DECIMALS: [usize; 2] = [3, 4];
 pub(super) fn table(flow: &mut Flow, heading: &str, steps: &[SheetStep], unit: DisplayUnit) {
     flow.heading(heading, 2.0 * ROW + 6.0);
     flow.text("Feed, then rotate, then bend. Rotations and bends as sent to the machine are in its own signs. Run: the wire fed by the end of the step.", SMALL);
+    if steps.iter().any(|step| step.before_zero) {
+        flow.text("Before zero: the bend axis stops on the side from which it bends.", SMALL);
+    }
     flow.gap(1.0);
     names(flow, unit);
     let mut run = 0.0;
@@ -26,7 +29,10 @@ pub(super) fn table(flow: &mut Flow, heading: &str, steps: &[SheetStep], unit: D
         let three = |values: [f64; 3]| values.map(|value| fixed(value, 3));
         let [feed, rotate, bend] = step.designed;
         let designed = [length_in(unit, feed, DECIMALS), fixed(rotate, 3), fixed(bend, 3)];
-        let told = step.told.map_or_else(|| ["–", "–", "–"].map(str::to_owned), three);
+        let mut told = step.told.map_or_else(|| ["–", "–", "–"].map(str::to_owned), three);
+        if step.before_zero {
+            told[2].insert_str(0, "before zero ");
+        }
         let mut cells = vec![(index + 1).to_string()];
         cells.extend(designed);
         cells.extend(told);

@@ -104,7 +104,7 @@ fn connected_and_homed(session: &mut dyn MachineSession) {
         done_by: DoneBy::Machine,
         head: HeadBy::Reference,
         // What the model says of $110 to $112: 40 steps in a millisecond, 80 for each unit.
-        limits: Limits { limits: Vec::new(), rates: rates(500.0) },
+        limits: Limits { rates: rates(500.0), ..Limits::default() },
     };
     assert_eq!(events, [connected]);
     session.home().unwrap();

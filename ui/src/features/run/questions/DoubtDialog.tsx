@@ -102,7 +102,7 @@ export function DoubtDialog({ id, doubt }: { readonly id: number; readonly doubt
       <details>
         <summary>How to check</summary>
         <ol className="how-to-tell small">
-          {Math.abs(told.bend_deg) > NOTHING && (
+          {Math.abs(doubt.designed.bend_deg) > NOTHING && (
             <li>Count the bends. Where the bend of this step is among them, all of it is done.</li>
           )}
           <li>Measure how far the last bend is from where it was bent: that is what was fed of this step.</li>
@@ -157,6 +157,8 @@ function Outcome({
   if (said === null) return "The rest of the step follows, with its bend from the beginning.";
   if (said === "made") return step < of ? `The wire resumes at step ${step + 1}.` : "The wire is finished.";
   if (part === null) return "The rest follows, with the bend from its beginning.";
-  const rest = `feed ${length(told.feed_mm - part.feed_mm)}, rotate ${angle(told.rotate_deg - part.rotate_deg)}, bend ${angle(told.bend_deg)} from its beginning`;
+  // Where the axis stops before zero its sign is not the side of the bend.
+  const { bend_deg } = told.approach_deg ? doubt.designed : told;
+  const rest = `feed ${length(told.feed_mm - part.feed_mm)}, rotate ${angle(told.rotate_deg - part.rotate_deg)}, bend ${angle(bend_deg)} from its beginning`;
   return `The machine will do: ${rest}.${said === "as-counted" ? " The axis that was on its way may have lost steps as it stopped: measure where that matters." : ""}`;
 }

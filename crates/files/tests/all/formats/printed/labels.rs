@@ -48,8 +48,12 @@ fn bends_and_edges_have_their_figures() {
 /// A sheet of a path of three edges, as it is designed.
 fn bent(path: &[[f64; 3]], steps: &[[f64; 3]], unit: DisplayUnit) -> Vec<Page> {
     let points = path.iter().copied().map(Point3::from).collect();
-    let step =
-        |designed: &[f64; 3]| SheetStep { designed: *designed, told: Some(*designed), fed_mm: designed[0] };
+    let step = |designed: &[f64; 3]| SheetStep {
+        designed: *designed,
+        told: Some(*designed),
+        before_zero: false,
+        fed_mm: designed[0],
+    };
     let wire = SheetWire {
         picture: PictureWire { points, doubled: Vec::new() },
         facts: Vec::new(),

@@ -241,7 +241,12 @@ pub(super) fn sheet(steps: usize) -> JobSheet {
     let step = |k: usize| {
         #[allow(clippy::cast_precision_loss)]
         let k = k as f64;
-        SheetStep { designed: [30.0 + k, -k, 90.5], told: Some([29.1 + k, k, -110.398]), fed_mm: 29.1 + k }
+        SheetStep {
+            designed: [30.0 + k, -k, 90.5],
+            told: Some([29.1 + k, k, -110.398]),
+            before_zero: false,
+            fed_mm: 29.1 + k,
+        }
     };
     let path = [[0., 0., 0.], [30., 0., 0.], [30., 20., 0.], [30., 20., 10.]].map(Point3::from).to_vec();
     JobSheet {
@@ -357,7 +362,7 @@ fn a_sheet_of_nothing_is_a_sheet() {
     let pages = pages(&job_sheet(&nothing).bytes);
     assert_eq!(pages.len(), 1);
     assert!(pages[0].says("See the notes."));
-    let untold = SheetStep { designed: [10.0, 0.0, 20.0], told: None, fed_mm: 10.0 };
+    let untold = SheetStep { designed: [10.0, 0.0, 20.0], told: None, before_zero: false, fed_mm: 10.0 };
     let wire = SheetWire { steps: vec![untold], ..SheetWire::default() };
     let pages = self::pages(&job_sheet(&JobSheet { wires: vec![wire], ..sheet(0) }).bytes);
     assert!(pages[0].says("–"));
