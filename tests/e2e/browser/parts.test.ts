@@ -47,8 +47,8 @@ it("puts a second stencil beside the first, and places each by itself", async ()
   await parts()
     .getByRole("button", { name: /^hat\.obj/ })
     .click();
-  await fill("Middle of the stencil, Z, mm", "60");
-  await fill("Turn of the stencil, Z, °", "45");
+  await fill("Centre of the stencil, Z, mm", "60");
+  await fill("Rotation of the stencil, Z, °", "45");
   await fill("Scale", "50");
   await until(async () => (await stencils())[1]?.placement).toEqual({
     shift_mm: [0, 0, 40],

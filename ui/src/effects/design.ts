@@ -9,12 +9,13 @@ import { showFrame } from "../state/frame/shape";
 import { hideByHand } from "../state/machine/by_hand";
 import { stopComparing, useMachines } from "../state/machine/machines";
 import { forgetEnded, showWire } from "../state/machine/run";
+import { shownDesign } from "../state/parts/parts";
 import { forgetPrediction } from "../state/prediction/prediction";
 import { forgetProgram, goTo, leaveStaleProgram } from "../state/program/program";
 import { forgetRunFile, useRunFile } from "../state/program/run_file";
 import { forgetSequence, hideSequence } from "../state/sequence/sequence";
 import { designReplaced } from "../state/window/commands";
-import { useView } from "../state/window/view";
+import { keepChosenStencil, useView } from "../state/window/view";
 import { type End, together, whenChanged } from "./changes";
 
 /** Another design is open, or will be in a moment: nothing that was of the one before stays. */
@@ -70,7 +71,13 @@ function followChanges(): End {
     ),
     whenChanged(useDesign, ({ vertices, edges, state, limits }) => [vertices, edges, state, limits], hideFix),
     whenChanged(useDesign, ({ limits }) => [limits], lookForCollisions),
-    whenChanged(useDesign, ({ vertices, edges }) => [vertices, edges], keepSelected),
+    whenChanged(
+      useDesign,
+      ({ vertices, edges, state }) => [vertices, edges, state?.parts],
+      // What is hidden is not selected: it would be moved or deleted unseen.
+      (design) => keepSelected(shownDesign(design)),
+    ),
+    whenChanged(useDesign, ({ state }) => [state?.stencils], keepChosenStencil),
     whenChanged(useDesign, ({ state }) => [state?.machine], forgetExports),
     whenChanged(useDesign, ({ vertices, edges }) => [vertices, edges], hideByHand),
     whenChanged(

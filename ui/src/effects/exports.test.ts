@@ -66,6 +66,7 @@ describe.each(elsewhere)("for %s", (_, go) => {
 
 it("keeps what is said of a design while it is saved, drawn on or undone", () => {
   setDespiteErrors(true);
-  useDesign.setState({ state: { machine: "kit", changed: true } as DesignState, vertices: new Map() });
+  const state = { machine: "kit", changed: true, stencils: [] as const, parts: [] as const } as unknown as DesignState;
+  useDesign.setState({ state, vertices: new Map() });
   expect(useExports.getState().despiteErrors).toBe(true);
 });

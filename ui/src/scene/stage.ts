@@ -136,12 +136,13 @@ export class Stage {
     if (this.tool !== "select" || this.playing || this.struts.shown) return null;
     const places = this.placesOf(this.selected.selection);
     if (places.length > 0) return middle(places);
-    return this.chosen.middle;
+    return this.stencilInHand && this.chosen.middle;
   }
 
   /** The stencil that would move, and its middle: where nothing is selected. */
   get stencilInHand(): ChosenStencil | null {
-    return this.placesOf(this.selected.selection).length > 0 ? null : this.chosen.stencil;
+    const { vertices, edges } = this.selected.selection;
+    return vertices.size + edges.size > 0 ? null : this.chosen.stencil;
   }
 
   viewMoved(): void {

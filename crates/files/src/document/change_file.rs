@@ -15,7 +15,7 @@ use super::part::{PartFile, PartLook};
 use super::pause::{PausePoint, PausePointFile};
 use super::project::WireCount;
 use super::snapshot::ProfileSnapshot;
-use super::stencil::{PlacedStencil, PlacementFile, StencilSource, SurfaceFile};
+use super::stencil::{PlacedStencil, PlacementFile, StencilFile, StencilSource, SurfaceFile};
 use super::walk::{Walk, WalkFile};
 use crate::length_unit::LengthUnit;
 
@@ -53,6 +53,9 @@ struct ChangeFile {
     stencils: Option<[Vec<LieFile>; 2]>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     surfaces: Vec<(StencilId, Pair<SurfaceFile>)>,
+    /// The only stencil, as journals have it that know of no others.
+    #[serde(skip_serializing)]
+    stencil: Option<Pair<SurfaceFile>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     parts: Option<[Vec<PartFile>; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -100,6 +103,7 @@ impl DocumentChange {
             next: [self.wireframe.next.0, self.wireframe.next.1].map(|next| (next.vertex, next.edge)),
             stencils: pair(self.stencils.as_deref(), |stencils| stencils.iter().map(lie).collect()),
             surfaces: surfaces.collect::<Result<_, _>>()?,
+            stencil: None,
             parts: pair(self.parts.as_deref(), |parts| parts.iter().map(PartFile::from).collect()),
             machine: pair(self.machine.as_deref(), Clone::clone),
             material: pair(self.material.as_deref(), Clone::clone),
@@ -132,10 +136,16 @@ impl DocumentChange {
         let unpack = |surface: Option<SurfaceFile>| {
             surface.map(|file| file.unpack("this change")).transpose().map_err(|error| error.to_string())
         };
-        let surfaces = file.surfaces.into_iter().map(|(id, [before, after])| {
+        let (mut stencils, mut surfaces) = (file.stencils, file.surfaces);
+        if let Some(only) = file.stencil {
+            let lies = only.each_ref().map(|surface| surface.as_ref().map(StencilFile::lie_of_only));
+            stencils = Some(lies.map(|lie| lie.into_iter().collect()));
+            surfaces.push((StencilFile::ONLY, only));
+        }
+        let surfaces = surfaces.into_iter().map(|(id, [before, after])| {
             Ok::<_, String>((id, Change { before: unpack(before)?, after: unpack(after)? }))
         });
-        let stencils = file.stencils.map(|[before, after]| {
+        let stencils = stencils.map(|[before, after]| {
             let all = |list: Vec<LieFile>| list.into_iter().map(stencil_of).collect::<Result<Vec<_>, _>>();
             Ok::<_, String>(Box::new(Replaced { before: all(before)?, after: all(after)? }))
         });

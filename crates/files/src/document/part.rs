@@ -45,7 +45,7 @@ pub(super) fn with_look(
     edge: EdgeId,
     look: Look,
 ) -> Vec<PartLook> {
-    let together = reached(wireframe, edge);
+    let together = Neighbours::of(wireframe).reached(wireframe, edge);
     let mut after: Vec<PartLook> =
         parts.iter().filter(|part| !together.contains(&part.edge)).cloned().collect();
     if look != Look::default() {
@@ -58,19 +58,42 @@ pub(super) fn with_look(
 /// The looks after an edit. One whose edge is gone goes to the nearest edge of its part that is left, or to one that was
 /// drawn in its place; where nothing of the part is left, neither is its look.
 pub(super) fn after_edit(parts: &[PartLook], before: &Wireframe, delta: &Delta) -> Vec<PartLook> {
+    if parts.is_empty() {
+        return Vec::new();
+    }
+    let neighbours = Neighbours::of(before);
     let is_gone = |edge: EdgeId| delta.edges.get(&edge).is_some_and(|change| change.after.is_none());
     let mut after: Vec<PartLook> = Vec::with_capacity(parts.len());
     for part in parts {
         let edge = if is_gone(part.edge) {
-            let together = reached(before, part.edge);
+            let together = neighbours.reached(before, part.edge);
             together.iter().copied().find(|edge| !is_gone(*edge)).or_else(|| drawn(before, &together, delta))
         } else {
             Some(part.edge)
         };
         after.extend(edge.map(|edge| PartLook { edge, look: part.look.clone() }));
     }
+    if after.iter().any(|part| part.look.hidden) {
+        show_joined(&mut after, before, delta);
+    }
     after.sort_by_key(|part| part.edge);
     after
+}
+
+/// Shows a hidden part that was joined to one that is seen: that would vanish otherwise.
+fn show_joined(parts: &mut [PartLook], before: &Wireframe, delta: &Delta) {
+    let mut joined = before.clone();
+    if joined.commit(delta).is_err() {
+        return;
+    }
+    let (was, is) = (Neighbours::of(before), Neighbours::of(&joined));
+    let hidden: Vec<EdgeId> = parts.iter().filter(|part| part.look.hidden).map(|part| part.edge).collect();
+    let unseen: BTreeSet<EdgeId> = hidden.iter().flat_map(|edge| was.reached(before, *edge)).collect();
+    for part in parts.iter_mut().filter(|part| part.look.hidden) {
+        let together = is.reached(&joined, part.edge);
+        part.look.hidden =
+            !together.iter().any(|edge| before.edge(*edge).is_some() && !unseen.contains(edge));
+    }
 }
 
 /// A new edge at a vertex of edges that are gone.
@@ -81,25 +104,32 @@ fn drawn(before: &Wireframe, gone: &[EdgeId], delta: &Delta) -> Option<EdgeId> {
     made.filter(|(_, edge)| ends.contains(&edge.a) || ends.contains(&edge.b)).map(|(id, _)| *id).next()
 }
 
-/// All edges that hang together with one, the nearest first.
-fn reached(wireframe: &Wireframe, from: EdgeId) -> Vec<EdgeId> {
-    let mut at: BTreeMap<VertexId, Vec<EdgeId>> = BTreeMap::new();
-    for (id, edge) in wireframe.edges() {
-        at.entry(edge.a).or_default().push(id);
-        at.entry(edge.b).or_default().push(id);
+/// The edges at each vertex.
+struct Neighbours(BTreeMap<VertexId, Vec<EdgeId>>);
+
+impl Neighbours {
+    fn of(wireframe: &Wireframe) -> Self {
+        let mut at: BTreeMap<VertexId, Vec<EdgeId>> = BTreeMap::new();
+        for (id, edge) in wireframe.edges() {
+            at.entry(edge.a).or_default().push(id);
+            at.entry(edge.b).or_default().push(id);
+        }
+        Self(at)
     }
-    let (mut found, mut seen) = (vec![from], BTreeSet::from([from]));
-    let mut next = 0;
-    while let Some(edge) = found.get(next).and_then(|id| wireframe.edge(*id)) {
-        next += 1;
-        for end in [edge.a, edge.b] {
-            // Each vertex is left once.
-            for edge in at.remove(&end).unwrap_or_default() {
-                if seen.insert(edge) {
-                    found.push(edge);
+
+    /// All edges that hang together with one, the nearest first.
+    fn reached(&self, wireframe: &Wireframe, from: EdgeId) -> Vec<EdgeId> {
+        let (mut found, mut seen) = (vec![from], BTreeSet::from([from]));
+        let mut left = BTreeSet::new();
+        let mut next = 0;
+        while let Some(edge) = found.get(next).and_then(|id| wireframe.edge(*id)) {
+            next += 1;
+            for end in [edge.a, edge.b] {
+                if left.insert(end) {
+                    found.extend(self.0.get(&end).into_iter().flatten().filter(|edge| seen.insert(**edge)));
                 }
             }
         }
+        found
     }
-    found
 }

@@ -246,7 +246,7 @@ impl Document {
     }
 
     pub(super) fn next_stencil(&self) -> StencilId {
-        StencilId(self.stencils.iter().map(|stencil| stencil.id.0 + 1).max().unwrap_or(0))
+        StencilId((0..=u32::MAX).find(|id| !self.surfaces.contains_key(&StencilId(*id))).unwrap_or(u32::MAX))
     }
 
     /// The SHA-256 of the canonical form of what the wire is planned from: vertices, edges,

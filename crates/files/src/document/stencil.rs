@@ -186,14 +186,21 @@ impl StencilFile {
         Ok((PlacedStencil { id, look, placement }, self.surface.unpack(file)?))
     }
 
-    /// The only stencil of a document that has none of them in a list.
+    /// The id of the only stencil of a document that has no list of them.
+    pub(crate) const ONLY: StencilId = StencilId(0);
+
     fn only(surface: SurfaceFile) -> Self {
-        let name = match &surface {
+        let (id, look, placement) = Self::lie_of_only(&surface);
+        Self { id, look, placement, surface }
+    }
+
+    /// The same without its surface.
+    pub(crate) fn lie_of_only(surface: &SurfaceFile) -> (StencilId, Look, PlacementFile) {
+        let name = match surface {
             SurfaceFile::Embedded(packed) => packed.name.clone(),
             SurfaceFile::File(_) => String::new(),
         };
-        let look = Look { name, ..Look::default() };
-        Self { id: StencilId(0), look, placement: PlacementFile::default(), surface }
+        (Self::ONLY, Look { name, ..Look::default() }, PlacementFile::default())
     }
 }
 

@@ -129,6 +129,21 @@ fn a_look_stays_with_its_part() {
     assert_eq!(document.parts, [], "nothing of it is left");
 }
 
+/// What is seen does not vanish because it was joined to what is not.
+#[test]
+fn a_hidden_part_is_shown_when_it_is_joined_to_one_that_is_seen() {
+    let mut document = square();
+    let far = vec![Point3::new(50.0, 0.0, 0.0), Point3::new(60.0, 0.0, 0.0)];
+    edited(&mut document, &Edit::Draw { from: None, through: far, to: None });
+    let hidden = document.set_part_look(EdgeId(4), Look { hidden: true, ..Look::default() }).unwrap();
+    document.commit(&hidden).unwrap();
+    edited(&mut document, &Edit::SplitEdge { edge: EdgeId(0), at: 0.5 });
+    assert!(document.parts.iter().any(|part| part.look.hidden), "an edit elsewhere changes nothing");
+    let both = Edit::Merge { vertices: vec![VertexId(0), VertexId(4)], at: MergeAt::Centre };
+    edited(&mut document, &both);
+    assert!(document.parts.iter().all(|part| !part.look.hidden), "{:?}", document.parts);
+}
+
 /// Whichever edge of it is named.
 #[test]
 fn a_part_has_one_look() {
@@ -169,6 +184,23 @@ fn stencils_come_and_go_with_their_surfaces() {
     assert_eq!(document, both);
     assert_eq!(both.set_surfaces(&both.surfaces), None);
     assert!(both.without_stencil(StencilId(7)).is_none());
+}
+
+/// A line of a journal that knows of one stencil alone.
+#[test]
+fn a_change_of_the_only_stencil_is_one_of_the_first() {
+    let file = |name: &str| format!(r#"{{"file":{{"path":"{name}","sha256":"{}"}}}}"#, sha256_hex(b"a"));
+    let line = |before: &str, after: &str| {
+        let text = format!(r#"{{"next":[[0,0],[0,0]],"stencil":[{before},{after}]}}"#);
+        DocumentChange::of_json(&text).unwrap()
+    };
+    let mut document = Document::default();
+    document.commit(&line("null", &file("a.stl"))).unwrap();
+    document.commit(&line(&file("a.stl"), &file("b.stl"))).unwrap();
+    let found: Vec<_> = document.placed_stencils().map(|(stencil, surface)| stencil.name(surface)).collect();
+    assert_eq!(found, ["b.stl"]);
+    document.commit(&line(&file("b.stl"), "null")).unwrap();
+    assert_eq!(document, Document::default());
 }
 
 #[test]

@@ -8,6 +8,7 @@ import { useDesign } from "../../state/design/design";
 import { isCollision } from "../../state/design/findings";
 import { fixesOf, useFixes } from "../../state/design/fixes";
 import { highlight, select } from "../../state/design/selection";
+import { showParts } from "../../state/parts/parts";
 import { frame } from "../../state/window/view";
 import { placesOf } from "../viewport/marks";
 import { FixAllOffer } from "./FixAllOffer";
@@ -23,8 +24,10 @@ function placesOfAll(reports: readonly DiagnosticReport[]): { vertices: number[]
   return { vertices: all.flatMap(({ vertices }) => vertices), edges: all.flatMap(({ edges }) => edges) };
 }
 
-function show(reports: readonly DiagnosticReport[]): void {
+async function show(reports: readonly DiagnosticReport[]): Promise<void> {
   const { vertices, edges } = placesOfAll(reports);
+  // What is hidden can neither be selected nor looked at.
+  await showParts(vertices, edges);
   select(vertices, edges);
   if (vertices.length + edges.length > 0) frame(vertices, edges);
 }
@@ -59,7 +62,7 @@ function Member({ report }: { readonly report: DiagnosticReport }) {
   return (
     <li {...pointing.line}>
       <div className="member">
-        <button type="button" className="line-button" onClick={() => show([report])} {...pointing.button}>
+        <button type="button" className="line-button" onClick={() => void show([report])} {...pointing.button}>
           {whatOf(report)}
         </button>
         <span className="muted member-value">{measureText(report, unit)}</span>
@@ -96,7 +99,7 @@ export function GroupLine({ group }: { readonly group: Group }) {
       <Mark tone={TONES[severity]} />
       <div className="line-what">
         {somewhere ? (
-          <button type="button" className="line-button" onClick={() => show(reports)} {...pointing.button}>
+          <button type="button" className="line-button" onClick={() => void show(reports)} {...pointing.button}>
             {titleOf(group)}
           </button>
         ) : (
@@ -112,7 +115,7 @@ export function GroupLine({ group }: { readonly group: Group }) {
             kind="link"
             aria-expanded={folds ? open : undefined}
             title={way?.title}
-            onClick={() => (folds ? setOpen(!open) : way ? way.go() : show(reports))}
+            onClick={() => (folds ? setOpen(!open) : way ? way.go() : void show(reports))}
           >
             {folds && open ? "Close" : action}
           </Button>

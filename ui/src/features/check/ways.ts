@@ -2,6 +2,7 @@
 
 import { useDesign } from "../../state/design/design";
 import { select } from "../../state/design/selection";
+import { shownDesign } from "../../state/parts/parts";
 import { run } from "../../state/window/commands";
 import { useUi } from "../../state/window/ui";
 import { frame } from "../../state/window/view";
@@ -16,7 +17,7 @@ interface WayOut {
 const toMachine = () => useUi.getState().showSection("machine");
 
 function selectSmaller(): void {
-  const { vertices, edges } = smallerParts(useDesign.getState());
+  const { vertices, edges } = smallerParts(shownDesign(useDesign.getState()));
   select(vertices, edges);
   frame(vertices, edges);
 }

@@ -1,7 +1,7 @@
 import { useState } from "react";
 import { Button } from "../../shared/controls/Button";
 import { Popover } from "../../shared/layers/Popover";
-import type { Look } from "../../state/design/parts";
+import type { Look } from "../../state/parts/parts";
 
 /** px of a row. */
 export const ROW = 32;
@@ -32,7 +32,7 @@ function Swatch({
     setOpen(false);
     if (colour !== (look.colour ?? null)) onChange({ colour });
   };
-  const choices: [string, string | null][] = [["Usual", null], ...Object.entries(COLOURS)];
+  const choices: [string, string | null][] = [["Default", null], ...Object.entries(COLOURS)];
   return (
     <Popover
       label={`Colour of ${name}`}

@@ -1,6 +1,6 @@
 import { count } from "../../shared/figures/format";
 import { useDesign } from "../../state/design/design";
-import { partsOf } from "../../state/design/parts";
+import { partsOf } from "../../state/parts/parts";
 import { Section } from "../panel/Section";
 import { Stencils } from "./Stencils";
 import { Wires } from "./Wires";

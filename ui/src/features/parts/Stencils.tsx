@@ -6,7 +6,7 @@ import { count } from "../../shared/figures/format";
 import { useLengths } from "../../shared/figures/unit";
 import { edit } from "../../state/design/design";
 import { AXES, axisIndex } from "../../state/design/geometry";
-import { changeStencil, type Placement, placeStencil, type StencilView } from "../../state/design/parts";
+import { changeStencil, type Placement, placeStencil, type StencilView } from "../../state/parts/parts";
 import { run } from "../../state/window/commands";
 import { chooseStencil, useView } from "../../state/window/view";
 import { PlaceFields } from "../edit/Position";
@@ -37,25 +37,31 @@ function Placing({ stencil, why }: { readonly stencil: StencilView | undefined; 
   const size = surface?.size_mm.map((mm) => length(mm * scale)).join(" × ");
   return (
     <>
-      <Field label="Middle" stacked>
+      <Field label="Centre" stacked>
         {() => (
           <PlaceFields
             key={stencil?.id ?? "none"}
             at={at}
-            label="Middle of the stencil"
+            label="Centre of the stencil"
             why={why}
-            change={(to) => put(() => ({ shift_mm: [to[0] - middle[0], to[1] - middle[1], to[2] - middle[2]] }))}
+            change={(to) =>
+              put(({ shift_mm: before = [0, 0, 0] }) => {
+                // The other axes may be on their way still.
+                const typed = (axis: 0 | 1 | 2) => (to[axis] === at[axis] ? before[axis] : to[axis] - middle[axis]);
+                return { shift_mm: [typed(0), typed(1), typed(2)] };
+              })
+            }
           />
         )}
       </Field>
-      <Field label="Turn" hint="About X, then Y, then Z." stacked>
+      <Field label="Rotation" hint="About X, then Y, then Z." stacked>
         {() => (
           <div className="three">
             {AXES.map((axis) => (
               <NumberField
                 key={`${stencil?.id ?? "none"} ${axis}`}
                 kind="angle"
-                label={`Turn of the stencil, ${axis.toUpperCase()}`}
+                label={`Rotation of the stencil, ${axis.toUpperCase()}`}
                 prefix={axis.toUpperCase()}
                 value={turn_deg[axisIndex(axis)]}
                 why={why}
@@ -91,7 +97,7 @@ function Placing({ stencil, why }: { readonly stencil: StencilView | undefined; 
           why={why ?? (stencil && asGiven(stencil) ? "It lies as in its file." : null)}
           onClick={() => put(() => AS_IN_FILE)}
         >
-          As in its file
+          Reset placement
         </Button>
       </div>
     </>

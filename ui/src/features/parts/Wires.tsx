@@ -3,8 +3,8 @@ import { count } from "../../shared/figures/format";
 import { useLengths } from "../../shared/figures/unit";
 import { Rows } from "../../shared/lists/Rows";
 import { useDesign } from "../../state/design/design";
-import { changePart, type Part } from "../../state/design/parts";
 import { highlight, select, useSelection } from "../../state/design/selection";
+import { changePart, type Part } from "../../state/parts/parts";
 import { Part as Piece } from "../panel/Section";
 import { Name } from "./Name";
 import { PartRow, ROW } from "./PartRow";
@@ -49,7 +49,7 @@ export function Wires({ parts }: { readonly parts: readonly Part[] }) {
   if (parts.length === 0) {
     return (
       <Piece title="Wire">
-        <p className="muted">Nothing is drawn yet. Edges that hang together are one part.</p>
+        <p className="muted">Nothing is drawn yet. Connected edges form one part.</p>
       </Piece>
     );
   }
@@ -98,7 +98,7 @@ export function Wires({ parts }: { readonly parts: readonly Part[] }) {
           />
         )}
       </Field>
-      <p className="muted small">Hidden parts are bent all the same.</p>
+      <p className="muted small">Hidden parts are still bent.</p>
     </Piece>
   );
 }

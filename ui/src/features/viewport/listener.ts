@@ -1,9 +1,9 @@
 import type { EditRequest } from "../../generated/requests";
 import type { Moved, SceneListener, Stroke, Vec3 } from "../../scene/interface";
 import { checkDesign, edit, useDesign } from "../../state/design/design";
-import { placeStencil } from "../../state/design/parts";
 import { select } from "../../state/design/selection";
 import { settled } from "../../state/design/turns";
+import { placeStencil } from "../../state/parts/parts";
 import { openMenu } from "../../state/window/context_menu";
 import { useView } from "../../state/window/view";
 

@@ -4,13 +4,13 @@ import type { Viewport as Scene } from "../../scene/viewport";
 import { lengthFormat } from "../../shared/figures/format";
 import { useDesign } from "../../state/design/design";
 import { useExact } from "../../state/design/exact";
-import { coloursOf, shownDesign } from "../../state/design/parts";
 import { useSelection } from "../../state/design/selection";
 import { useFiles } from "../../state/files/files";
 import { movedOf, usualScale } from "../../state/frame/figures";
 import { useFrame } from "../../state/frame/frame";
 import { useShape } from "../../state/frame/shape";
 import { useByHand } from "../../state/machine/by_hand";
+import { coloursOf, shownDesign } from "../../state/parts/parts";
 import { predictedNow, usePrediction } from "../../state/prediction/prediction";
 import { touchesNow } from "../../state/program/contacts";
 import { isUpToDate, usePlayback, useProgram } from "../../state/program/program";
@@ -141,7 +141,8 @@ export function show(scene: Scene): () => void {
   };
   const chosenStencil = () => {
     const { state } = useDesign.getState();
-    scene.setChosenStencil(chosenOf(state?.stencils ?? [], useView.getState().chosenStencil));
+    const { chosenStencil: chosen, stencilsShown } = useView.getState();
+    scene.setChosenStencil(stencilsShown ? chosenOf(state?.stencils ?? [], chosen) : null);
   };
   const theme = () => scene.setTheme(shownTheme(useUi.getState().theme));
   const system = systemTheme();
@@ -204,7 +205,7 @@ export function show(scene: Scene): () => void {
       },
     ),
     follow(useDesign, ({ state }) => [state?.stencils], chosenStencil),
-    follow(useView, (view) => [view.chosenStencil], chosenStencil),
+    follow(useView, (view) => [view.chosenStencil, view.stencilsShown], chosenStencil),
     follow(
       useView,
       ({ stencilsShown, stencilOpacity }) => [stencilsShown, stencilOpacity],

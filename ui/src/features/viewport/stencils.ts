@@ -1,5 +1,5 @@
 import type { ChosenStencil, SceneStencil, SceneSurface, Vec3 } from "../../scene/interface";
-import { colourOf, type StencilView } from "../../state/design/parts";
+import { colourOf, type StencilView } from "../../state/parts/parts";
 
 /** The stencils that have a surface to show. */
 export function stencilsOf(

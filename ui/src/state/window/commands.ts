@@ -1,12 +1,12 @@
 import { redo, undo, useDesign, whyNoChange } from "../design/design";
 import * as operations from "../design/operations";
-import { shownDesign } from "../design/parts";
 import { connected, inverted, isEmpty, NOTHING, select, useSelection } from "../design/selection";
 import { quit } from "../files/closing";
 import { newDesign, pickDesign, pickStencil, save, saveAs, saveJob, saveWireframe, useFiles } from "../files/files";
 import { setPicking, useFrame } from "../frame/frame";
 import { showFrame, useShape } from "../frame/shape";
 import { stop } from "../machine/run";
+import { shownDesign } from "../parts/parts";
 import { showDesignAgain, togglePlay, usePlayback } from "../program/program";
 import { useRunFile } from "../program/run_file";
 import { hideSequence, togglePlaySequence, useSequence } from "../sequence/sequence";
@@ -16,6 +16,7 @@ import { type DialogName, type OperationName, useUi } from "./ui";
 import { useUnits } from "./units";
 import {
   choosePlane,
+  chooseStencil,
   chooseTool,
   drawnPlane,
   FACING,
@@ -102,6 +103,7 @@ function end(): void {
   else if (useShape.getState().view) showFrame(null);
   else if (useSequence.getState().shown) hideSequence();
   else if (useView.getState().tool !== "select") chooseTool("select");
+  else if (isEmpty(useSelection.getState())) chooseStencil(null);
   else select([]);
 }
 
@@ -239,5 +241,5 @@ export function useWhyNot(id: CommandId): string | null {
 export function designReplaced(): void {
   useView.getState().handle?.cancel();
   useSelection.setState({ ...NOTHING, highlight: NOTHING });
-  useView.setState({ preview: null, strand: null, ownPlane: null });
+  useView.setState({ preview: null, strand: null, ownPlane: null, chosenStencil: null });
 }

@@ -125,6 +125,13 @@ export function chooseStencil(chosenStencil: number | null): void {
   useView.setState({ chosenStencil });
 }
 
+/** A stencil that is gone is not chosen: its id may be that of another. */
+export function keepChosenStencil({ state }: Pick<ReturnType<typeof useDesign.getState>, "state">): void {
+  const { chosenStencil } = useView.getState();
+  const there = state?.stencils.some(({ id }) => id === chosenStencil);
+  if (chosenStencil !== null && !there) useView.setState({ chosenStencil: null });
+}
+
 export function toggleSnap(kind: SnapKind): void {
   useView.setState(({ snapKinds }) => ({
     snapKinds: new Set(SNAP_KINDS.filter((other) => (other === kind ? !snapKinds.has(kind) : snapKinds.has(other)))),

@@ -1,7 +1,7 @@
 /** The parts of a design: struts that hang together. What they are called, their colours and whether they are hidden. */
 
 import type { Colour, SceneDesign, SceneEdge } from "../../scene/interface";
-import { type DesignState, type DesignStore, editAsItIs } from "./design";
+import { type DesignState, type DesignStore, editAsItIs, useDesign } from "../design/design";
 
 export type StencilView = DesignState["stencils"][number];
 export type Look = StencilView["look"];
@@ -64,8 +64,8 @@ function found(edges: ReadonlyMap<number, SceneEdge>, looks: ReadonlyMap<number,
 
 /** What is left of a design without its hidden parts; the same one where none is hidden. */
 export function shownDesign(design: Pick<DesignStore, "vertices" | "edges" | "state">): SceneDesign {
+  if (!design.state?.parts.some(({ look }) => look.hidden)) return design;
   const hidden = partsOf(design).filter(({ look }) => look.hidden);
-  if (hidden.length === 0) return design;
   const without = <T>(all: ReadonlyMap<number, T>, gone: readonly number[]) => {
     const left = new Map(all);
     for (const id of gone) left.delete(id);
@@ -113,6 +113,16 @@ export const changePart = ({ id }: Part, change: Partial<Look>) =>
     const part = partsOf(design).find(({ edges }) => edges.includes(id));
     return part ? { edit: "part-look", edge: id, look: { ...part.look, ...change } } : null;
   });
+
+/** Shows the hidden parts that these places belong to. */
+export async function showParts(vertices: readonly number[], edges: readonly number[]): Promise<void> {
+  const hidden = partsOf(useDesign.getState()).filter(
+    (part) =>
+      part.look.hidden &&
+      (vertices.some((id) => part.vertices.includes(id)) || edges.some((id) => part.edges.includes(id))),
+  );
+  for (const part of hidden) await changePart(part, { hidden: false });
+}
 
 const stencilOf = ({ state }: DesignStore, id: number) => state?.stencils.find((stencil) => stencil.id === id);
 

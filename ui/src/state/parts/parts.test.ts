@@ -5,8 +5,8 @@ const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(), listen: vi.fn(
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
 import type { SceneEdge, SceneVertex } from "../../scene/interface";
+import { useDesign } from "../design/design";
 import { designState } from "../testing";
-import { useDesign } from "./design";
 import { changePart, colourOf, coloursOf, partsOf, shownDesign } from "./parts";
 
 /** Two triangles, one of them drawn after an edge of the other, and a vertex without edges. */
