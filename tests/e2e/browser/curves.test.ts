@@ -49,7 +49,7 @@ it("shows at once what comes of the curve without a least length", async () => {
 
 it("fixes all short edges by one change that one undo takes back", async () => {
   await editor.take(null);
-  const comb = [
+  const comb: readonly (readonly [number, number])[] = [
     [0, 0],
     [0, 80],
     [12, 80],
