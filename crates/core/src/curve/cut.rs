@@ -26,6 +26,24 @@ impl EdgeLimit {
         let beyond = |turn: f64| ((turn.min(3.0) / 2.0).tan() - 1.0).max(0.0);
         self.shortest.mm() + self.bend_radius.mm() * (beyond(one) + beyond(other))
     }
+
+    /// What each edge between corners lacks of the length that it needs, mm; not above 0 where it is long enough. A ring
+    /// has its first corner once more at its end.
+    #[must_use]
+    pub fn lacking(&self, corners: &[Point3<f64>], ends: CurveEnds) -> Vec<f64> {
+        let edges: Vec<Vector3<f64>> = corners.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let (before, behind) = match ends {
+            CurveEnds::Ring => (edges.last().copied(), edges.first().copied()),
+            CurveEnds::Open([before, behind]) => (before, behind),
+        };
+        let lacks = |(k, edge): (usize, &Vector3<f64>)| {
+            let turn = |side: Option<Vector3<f64>>| side.map_or(0.0, |side| side.angle(edge));
+            let one = k.checked_sub(1).map(|k| edges[k]).or(before);
+            let other = edges.get(k + 1).copied().or(behind);
+            self.between(turn(one), turn(other)) - edge.norm()
+        };
+        edges.iter().enumerate().map(lacks).collect()
+    }
 }
 
 /// What may become of the ends of a curve.
@@ -57,9 +75,16 @@ pub struct CurveCut {
 ///
 /// With as few edges as `tolerance` allows, or with those that are nearest to the curve where none of the limit's length
 /// are as near as that. Corners lie on the outside of the curve and edges on its inside, equally far where that is
-/// possible.
+/// possible. There are at least `min_edges`, which is 0 where any number will do: more than one where the same two ends are
+/// joined by another edge already.
 #[must_use]
-pub fn cut_curve(curve: &[Point3<f64>], ends: CurveEnds, tolerance: Length, limit: &EdgeLimit) -> CurveCut {
+pub fn cut_curve(
+    curve: &[Point3<f64>],
+    ends: CurveEnds,
+    tolerance: Length,
+    limit: &EdgeLimit,
+    min_edges: usize,
+) -> CurveCut {
     let samples = Samples::new(curve);
     if curve.len() < 2 || samples.length() <= 0.0 {
         let at = curve.first().copied().unwrap_or_default();
@@ -76,15 +101,14 @@ pub fn cut_curve(curve: &[Point3<f64>], ends: CurveEnds, tolerance: Length, limi
             _ => one.deviation.mm().total_cmp(&other.deviation.mm()),
         })
     };
-    let (counts, room) = counts(&samples, ends, tolerance.mm(), shortest);
-    let mut best = fit.corner();
+    let least = fewest(&samples, ends).max(min_edges);
+    let (counts, room) = counts(&samples, least, tolerance.mm(), shortest);
+    let mut best = if min_edges == 0 { fit.corner() } else { None };
     let wanted = counts.len();
     let divided = counts.iter().map(|&count| samples.divided(count, shortest));
     // Where a curve comes back to where it was, the last edge may be short: fewer edges are then left to try, and a single
     // one is as long as its ends are apart.
-    let fewer = (1..=FEWER)
-        .map(|less| room.saturating_sub(less).max(fewest(&samples, ends)))
-        .chain([fewest(&samples, ends)]);
+    let fewer = (1..=FEWER).map(|less| room.saturating_sub(less).max(least)).chain([least]);
     let fewer = fewer.map(|count| samples.divided(count, shortest));
     for (k, places) in divided.chain([samples.divided_evenly(room)]).chain(fewer).enumerate() {
         let is_enough = |best: &CurveCut| best.too_short == 0 && (near(best) || k > wanted);
@@ -96,7 +120,7 @@ pub fn cut_curve(curve: &[Point3<f64>], ends: CurveEnds, tolerance: Length, limi
             best = Some(cut);
         }
     }
-    best.unwrap_or_else(|| fit.of(&samples.divided_evenly(1)))
+    best.unwrap_or_else(|| fit.of(&samples.divided_evenly(least)))
 }
 
 /// So many edges fewer than there is room for are tried where one would be too short.
@@ -109,8 +133,7 @@ fn fewest(samples: &Samples, ends: CurveEnds) -> usize {
 
 /// The numbers of edges that are worth a try, from few to many: as many as the tolerance asks for, where the deviation is
 /// on one side or shared by both, and as many as there is room for, which is given beside them.
-fn counts(samples: &Samples, ends: CurveEnds, tolerance: f64, shortest: f64) -> (Vec<usize>, usize) {
-    let least = fewest(samples, ends);
+fn counts(samples: &Samples, least: usize, tolerance: f64, shortest: f64) -> (Vec<usize>, usize) {
     let by = |sagitta| samples.march(shortest, sagitta, usize::MAX).len() - 1;
     let room = by(0.0).max(least);
     // The last step of a march is what was left.

@@ -14,7 +14,8 @@ pub use simplify::simplify;
 use nalgebra::{Point3, Vector3};
 
 /// Distance from a point to a segment, all in mm; to the point itself where it has no length.
-fn distance_to_segment(point: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
+#[must_use]
+pub fn distance_to_segment(point: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
     let along: Vector3<f64> = b - a;
     let length2 = along.norm_squared();
     let at = if length2 > 0.0 { ((point - a).dot(&along) / length2).clamp(0.0, 1.0) } else { 0.0 };

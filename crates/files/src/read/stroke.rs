@@ -161,7 +161,7 @@ impl Cutter {
             return plain.into_iter().take(count).collect();
         }
         let dense = joined(parts, |part| &part.dense);
-        let cut = cut_curve(&dense, ends, self.tolerance, &self.limit);
+        let cut = cut_curve(&dense, ends, self.tolerance, &self.limit, 0);
         self.facts.far(cut.deviation.mm(), cut.at);
         self.facts.too_short += cut.too_short;
         if cut.deviation > self.tolerance {

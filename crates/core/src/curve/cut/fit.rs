@@ -21,6 +21,9 @@ const ROUNDS: usize = 2;
 const MARGIN_MM: f64 = 1e-4;
 /// What a missing millimetre of an edge counts beside one of deviation.
 const MISSING: f64 = 1e3;
+/// The sharpest turn that becomes a single corner, as its cosine: 120°. Lines that fold back more meet far outside of their
+/// curve.
+const COS_SHARPEST: f64 = -0.5;
 
 pub(super) struct Fit<'a> {
     samples: &'a Samples<'a>,
@@ -72,7 +75,7 @@ impl<'a> Fit<'a> {
         let (before, behind) = (before.try_normalize(0.0)?, behind.try_normalize(0.0)?);
         let (gap, cos) = (last - first, before.dot(&behind));
         let sin2 = 1.0 - cos * cos;
-        if sin2 < 1e-6 {
+        if cos < COS_SHARPEST || sin2 < 1e-6 {
             return None;
         }
         // The nearest points of both lines, which are one where they meet.
@@ -84,7 +87,8 @@ impl<'a> Fit<'a> {
         }
         let corners = vec![nalgebra::center(&one, &other)];
         let measured = self.measured(&[0.0, self.samples.length()], &corners);
-        Some(self.made(corners, &measured))
+        // A corner has no edge that could be too short: without an end it would replace a curve of any size.
+        (measured.deviation <= self.limit.shortest.mm()).then(|| self.made(corners, &measured))
     }
 
     fn made(&self, mut points: Vec<Point3<f64>>, measured: &Measured) -> CurveCut {
@@ -179,22 +183,7 @@ impl<'a> Fit<'a> {
             let both = is_ring && (k == 0 || k + 1 == places.len());
             count(self.distance_to_curve(corner, from, to, both.then_some(places)), *corner);
         }
-        let edges: Vec<Vector3<f64>> = corners.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        let lacks = |(k, edge): (usize, &Vector3<f64>)| {
-            let turn = |one: &Vector3<f64>, other: &Vector3<f64>| {
-                if one.norm() > 0.0 && other.norm() > 0.0 { one.angle(other) } else { 0.0 }
-            };
-            let last = edges.len() - 1;
-            let before = k.checked_sub(1).or(is_ring.then_some(last)).map(|k| edges[k]);
-            let behind = edges.get(k + 1).or(is_ring.then(|| &edges[0])).copied();
-            let (before, behind) = match self.ends {
-                CurveEnds::Open([one, other]) => (before.or(one), behind.or(other)),
-                CurveEnds::Ring => (before, behind),
-            };
-            let at = |side: Option<Vector3<f64>>| side.map_or(0.0, |side| turn(&side, edge));
-            self.limit.between(at(before), at(behind)) - edge.norm()
-        };
-        let lacking: Vec<f64> = edges.iter().enumerate().map(lacks).collect();
+        let lacking = self.limit.lacking(corners, self.ends);
         Measured {
             deviation,
             at,
