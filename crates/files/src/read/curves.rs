@@ -32,6 +32,14 @@ impl CurveFacts {
         }
     }
 
+    /// Adds what was made of other curves.
+    pub(super) fn add(&mut self, other: Self) {
+        self.far(other.deviation_mm, other.at);
+        self.coarser += other.coarser;
+        self.too_short += other.too_short;
+        self.radii.extend(other.radii);
+    }
+
     /// From numbers of a file to millimetres; `slack` is how far curves are from the points that they were measured by.
     pub(super) fn scaled(mut self, factor: f64, slack: f64) -> Self {
         let at = |point: Point3<f64>| Point3::from(point.coords * factor);

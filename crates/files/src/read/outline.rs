@@ -75,6 +75,8 @@ pub(super) struct Pen<'a> {
     limit: Option<EdgeLimit>,
     /// What waits to be cut, since curves may go on in what is drawn later.
     parts: Vec<Part>,
+    /// How many points these have.
+    waiting: usize,
 }
 
 impl<'a> Pen<'a> {
@@ -89,7 +91,7 @@ impl<'a> Pen<'a> {
             bend_radius: in_file(options.bend_radius).unwrap_or_default(),
         });
         let weld = options.weld.mm() / factor;
-        Self { source, drawing, tolerance, weld, factor, limit, parts: Vec::new() }
+        Self { source, drawing, tolerance, weld, factor, limit, parts: Vec::new(), waiting: 0 }
     }
 
     /// Adds the vertices and edges of an outline, at [`Pen::finish`] at the latest; `place` is where it stands.
@@ -125,10 +127,9 @@ impl<'a> Pen<'a> {
 
     /// Keeps an outline until all are known.
     fn take(&mut self, place: &Location, outline: &Outline) -> Result<(), ReadError> {
-        let (mut at, first) = (outline.start, self.parts.len());
+        let mut at = outline.start;
         self.within(place, &at)?;
         for piece in &outline.pieces {
-            self.source.room(place.clone(), self.parts.len(), "lines and curves")?;
             let part = if let Piece::Line(to) = piece {
                 self.within(place, to)?;
                 Part::line(place.clone(), at, *to)
@@ -136,12 +137,25 @@ impl<'a> Pen<'a> {
                 self.curve_within(place, piece)?;
                 self.curve(place, at, piece)?
             };
+            // Both ends of a piece of no length would count at its place, where nothing would go on then.
+            if part.length() <= self.weld {
+                self.drawing.notes.add(NoteKind::EdgesCollapsed, 1);
+                continue;
+            }
             at = part.dense[part.dense.len() - 1];
-            self.parts.push(part);
+            self.keep(place, part)?;
         }
-        if outline.closed && self.parts.len() > first && (at - outline.start).norm() > self.weld {
-            self.parts.push(Part::line(place.clone(), at, outline.start));
+        if outline.closed && (at - outline.start).norm() > self.weld {
+            self.keep(place, Part::line(place.clone(), at, outline.start))?;
         }
+        Ok(())
+    }
+
+    /// Keeps a part, as long as there is room for its points.
+    fn keep(&mut self, place: &Location, part: Part) -> Result<(), ReadError> {
+        self.waiting += part.dense.len() + part.plain.len();
+        self.source.room(place.clone(), self.waiting, "points of lines and curves")?;
+        self.parts.push(part);
         Ok(())
     }
 
@@ -178,7 +192,7 @@ impl<'a> Pen<'a> {
             Piece::Line(to) => Ok(vec![*to]),
             Piece::Arc(arc, _) => Ok(arc.flatten(tolerance)),
             Piece::Spline(spline) => {
-                spline.flatten(tolerance, LIMIT.saturating_sub(self.drawing.points.len()))
+                spline.flatten(tolerance, LIMIT.saturating_sub(self.drawing.points.len() + self.waiting))
             }
         };
         flat.or_else(|_| self.source.room(place.clone(), LIMIT, "vertices").map(|()| Vec::new()))

@@ -4,9 +4,10 @@
 //! many elements it is drawn of.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use nalgebra::{Point3, Vector3};
-use wirebend_core::curve::{CurveEnds, EdgeLimit, cut_curve};
+use wirebend_core::curve::{CurveEnds, EdgeLimit, cut_curve, distance_to_segment};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::Welder;
 
@@ -47,7 +48,7 @@ impl Part {
         self.ways = [-self.ways[1], -self.ways[0]];
     }
 
-    fn length(&self) -> f64 {
+    pub(super) fn length(&self) -> f64 {
         self.dense.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum()
     }
 
@@ -62,6 +63,26 @@ pub(super) struct Row {
     pub(super) vertices: Vec<(Location, Point3<f64>)>,
     pub(super) closed: bool,
 }
+
+impl Row {
+    /// Whether it goes from one vertex to another and straight back.
+    fn is_folded(&self, weld: Length) -> bool {
+        let [(_, first), .., (_, last)] = &self.vertices[..] else { return true };
+        let again = !self.closed && (last - first).norm() <= weld.mm();
+        self.vertices.len() - usize::from(again) < 3
+    }
+}
+
+/// A row, with what was made of its curves.
+struct CutRow {
+    row: Row,
+    facts: CurveFacts,
+    /// The parts of the longest curve, which can be cut to more edges.
+    longest: Option<Range<usize>>,
+}
+
+/// How many edges a curve must have, by its first part.
+type MinEdges = Option<(usize, usize)>;
 
 /// How curves are cut, all in the numbers of the parts.
 pub(super) struct Cutter {
@@ -78,24 +99,75 @@ impl Cutter {
         for part in &parts {
             self.facts.radii.extend(part.radius);
         }
-        chains(parts, self.weld).into_iter().map(|chain| self.row(chain)).collect()
+        let mut chains = chains(parts, self.weld);
+        let mut rows: Vec<CutRow> = chains.iter_mut().map(|chain| self.row(chain, None)).collect();
+        self.unfold(&mut chains, &mut rows);
+        let mut made = Vec::with_capacity(rows.len());
+        for CutRow { row, facts, .. } in rows {
+            self.facts.add(facts);
+            made.push(row);
+        }
+        made
     }
 
-    fn row(&mut self, Chain { mut parts, closed }: Chain) -> Row {
-        let mut smooth = joints(&parts, closed);
-        let mut keeps = self.kept(&parts, &smooth, closed);
+    /// Cuts curves again, to more edges, where an edge lies on another one and would be lost.
+    fn unfold(&self, chains: &mut [Chain], rows: &mut [CutRow]) {
+        // What a single edge stands for, by its ends.
+        let mut single: HashMap<[u32; 2], Vec<Vec<Point3<f64>>>> = HashMap::new();
+        // Lines first: they cannot be cut.
+        for is_curve in [false, true] {
+            for (chain, row) in chains.iter_mut().zip(&mut *rows) {
+                if row.longest.is_some() != is_curve {
+                    continue;
+                }
+                let (run, other) = if chain.returns() {
+                    let Some(run) = row.longest.clone().filter(|_| row.row.is_folded(self.weld)) else {
+                        continue;
+                    };
+                    let other = joined(&chain.parts[run.end..], |part| &part.dense);
+                    let before = joined(&chain.parts[..run.start], |part| &part.dense);
+                    (run, vec![other, before])
+                } else if row.row.vertices.len() == 2 {
+                    let [a, b] = chain.ends;
+                    let known = single.entry([a.min(b), a.max(b)]).or_default();
+                    let other = known.clone();
+                    known.push(joined(&chain.parts, |part| &part.dense));
+                    let Some(run) = row.longest.clone().filter(|_| !other.is_empty()) else { continue };
+                    (run, other)
+                } else {
+                    continue;
+                };
+                let curve = joined(&chain.parts[run.clone()], |part| &part.dense);
+                // What is drawn twice is one edge.
+                if !other.iter().any(|other| lies_on(&curve, other, self.tolerance)) {
+                    *row = self.row(chain, Some((run.start, 2)));
+                }
+            }
+        }
+    }
+
+    fn row(&self, chain: &mut Chain, min_edges: MinEdges) -> CutRow {
+        let Chain { parts, closed, .. } = chain;
+        let closed = *closed;
+        let mut smooth = joints(parts, closed);
+        let mut keeps = self.kept(parts, &smooth, closed);
+        let mut facts = CurveFacts::default();
         if closed {
             // It begins with a line that stays, else at a corner.
             let count = parts.len();
             let corner = |k: &usize| !smooth[(k + count - 1) % count];
             let first = (0..count).find(|&k| keeps[k]).or_else(|| (0..count).find(corner));
-            let Some(first) = first else { return self.ring(&parts) };
+            let Some(first) = first else {
+                let row = self.ring(parts, min_edges, &mut facts);
+                return CutRow { row, facts, longest: Some(0..parts.len()) };
+            };
             parts.rotate_left(first);
             smooth.rotate_left(first);
             keeps.rotate_left(first);
         }
         let mut vertices: Vec<(Location, Point3<f64>)> = Vec::new();
         let (mut at, mut ends_in_run) = (0, false);
+        let mut longest: Option<(f64, Range<usize>)> = None;
         while at < parts.len() {
             let next = if keeps[at] { at + 1 } else { run_end(&keeps, &smooth, at) };
             ends_in_run = !keeps[at];
@@ -113,7 +185,15 @@ impl Cutter {
                 let behind = if next <= last { Some(next) } else { closed.then_some(0) };
                 let lines =
                     [line(before, before.is_some_and(|k| smooth[k]), 1), line(behind, smooth[next - 1], 0)];
-                let run = self.run(&parts[at..next], CurveEnds::Open(lines));
+                let run = &parts[at..next];
+                let length: f64 = run.iter().map(Part::length).sum();
+                if run.iter().any(Part::is_curve)
+                    && longest.as_ref().is_none_or(|(longest, _)| length > *longest)
+                {
+                    longest = Some((length, at..next));
+                }
+                let least = min_edges.filter(|&(first, _)| first == at).map_or(0, |(_, least)| least);
+                let run = self.run(run, CurveEnds::Open(lines), least, &mut facts);
                 vertices.pop();
                 vertices.extend(run.into_iter().map(|point| (place.clone(), point)));
             }
@@ -126,12 +206,12 @@ impl Cutter {
                 vertices[0] = last;
             }
         }
-        Row { vertices, closed }
+        CutRow { row: Row { vertices, closed }, facts, longest: longest.map(|(_, parts)| parts) }
     }
 
-    fn ring(&mut self, parts: &[Part]) -> Row {
+    fn ring(&self, parts: &[Part], min_edges: MinEdges, facts: &mut CurveFacts) -> Row {
         let place = &parts[0].place;
-        let mut points = self.run(parts, CurveEnds::Ring);
+        let mut points = self.run(parts, CurveEnds::Ring, min_edges.map_or(0, |_| 3), facts);
         points.dedup();
         Row { vertices: points.into_iter().map(|point| (place.clone(), point)).collect(), closed: true }
     }
@@ -148,41 +228,34 @@ impl Cutter {
     }
 
     /// Curves that go on from each other, and short lines between them, as corners; a ring without its first once more.
-    fn run(&mut self, parts: &[Part], ends: CurveEnds) -> Vec<Point3<f64>> {
+    fn run(
+        &self,
+        parts: &[Part],
+        ends: CurveEnds,
+        min_edges: usize,
+        facts: &mut CurveFacts,
+    ) -> Vec<Point3<f64>> {
         let plain = joined(parts, |part| &part.plain);
         let curves = parts.iter().filter(|part| part.is_curve()).count();
         let is_ring = ends == CurveEnds::Ring;
-        if curves == 0 || self.fits(&plain, ends) {
+        let fits =
+            || plain.len() > min_edges && self.limit.lacking(&plain, ends).iter().all(|&lack| lack <= 0.0);
+        if curves == 0 || fits() {
             for part in parts {
                 let (off, at) = off_plain(part);
-                self.facts.far(off, at);
+                facts.far(off, at);
             }
             let count = plain.len() - usize::from(is_ring);
             return plain.into_iter().take(count).collect();
         }
         let dense = joined(parts, |part| &part.dense);
-        let cut = cut_curve(&dense, ends, self.tolerance, &self.limit, 0);
-        self.facts.far(cut.deviation.mm(), cut.at);
-        self.facts.too_short += cut.too_short;
+        let cut = cut_curve(&dense, ends, self.tolerance, &self.limit, min_edges);
+        facts.far(cut.deviation.mm(), cut.at);
+        facts.too_short += cut.too_short;
         if cut.deviation > self.tolerance {
-            self.facts.coarser += curves;
+            facts.coarser += curves;
         }
         cut.points
-    }
-
-    /// Whether all edges are as long as their corners ask for.
-    fn fits(&self, points: &[Point3<f64>], ends: CurveEnds) -> bool {
-        let edges: Vec<Vector3<f64>> = points.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        let (before, behind) = match ends {
-            CurveEnds::Ring => (edges.last().copied(), edges.first().copied()),
-            CurveEnds::Open([before, behind]) => (before, behind),
-        };
-        edges.iter().enumerate().all(|(k, edge)| {
-            let turn = |side: Option<Vector3<f64>>| side.map_or(0.0, |side| side.angle(edge));
-            let one = k.checked_sub(1).map(|k| edges[k]).or(before);
-            let other = edges.get(k + 1).copied().or(behind);
-            edge.norm() >= self.limit.between(turn(one), turn(other))
-        })
     }
 }
 
@@ -207,13 +280,7 @@ fn joined(parts: &[Part], of: impl Fn(&Part) -> &Vec<Point3<f64>>) -> Vec<Point3
 /// How far the plain edges of a part are from it at most, and where: both are run through side by side.
 fn off_plain(part: &Part) -> (f64, Point3<f64>) {
     let (mut edge, mut farthest) = (0, (0.0, part.dense[0]));
-    let off = |point: &Point3<f64>, k: usize| {
-        let (a, b) = (part.plain[k], part.plain[k + 1]);
-        let along = b - a;
-        let length2 = along.norm_squared();
-        let share = if length2 > 0.0 { ((point - a).dot(&along) / length2).clamp(0.0, 1.0) } else { 0.0 };
-        (point - (a + along * share)).norm()
-    };
+    let off = |point: &Point3<f64>, k: usize| distance_to_segment(point, &part.plain[k], &part.plain[k + 1]);
     for point in &part.dense {
         while edge + 2 < part.plain.len() && off(point, edge + 1) <= off(point, edge) {
             edge += 1;
@@ -226,11 +293,27 @@ fn off_plain(part: &Part) -> (f64, Point3<f64>) {
     farthest
 }
 
+/// Whether places all along a curve are near another one.
+fn lies_on(curve: &[Point3<f64>], other: &[Point3<f64>], tolerance: Length) -> bool {
+    let near = |point: &Point3<f64>| {
+        other.windows(2).any(|pair| distance_to_segment(point, &pair[0], &pair[1]) <= tolerance.mm())
+    };
+    curve.iter().step_by((curve.len() / 16).max(1)).all(near)
+}
+
 /// Parts that go on from each other.
 struct Chain {
     parts: Vec<Part>,
     /// Whether the last goes on in the first.
     closed: bool,
+    /// Where it begins and ends.
+    ends: [u32; 2],
+}
+
+impl Chain {
+    fn returns(&self) -> bool {
+        self.ends[0] == self.ends[1]
+    }
 }
 
 /// Joins parts wherever the ends of just two of them meet.
@@ -257,20 +340,23 @@ fn chains(parts: Vec<Part>, weld: Length) -> Vec<Chain> {
                 continue;
             };
             let (mut chain, mut k, mut side) = (Vec::new(), first, side);
+            let mut ends = [nodes[first][side]; 2];
             while let Some(mut part) = parts[k].take() {
                 if side == 1 {
                     part.reverse();
                 }
                 chain.push(part);
                 let node = nodes[k][1 - side];
-                let Some(next) = at[&node].iter().copied().find(|&other| passes(node) && other != k) else {
-                    break;
-                };
+                ends[1] = node;
+                // Where many meet, none of them has to be looked at.
+                let next =
+                    if passes(node) { at[&node].iter().copied().find(|&other| other != k) } else { None };
+                let Some(next) = next else { break };
                 side = usize::from(nodes[next][0] != node);
                 k = next;
             }
             if !chain.is_empty() {
-                chains.push((first, Chain { parts: chain, closed: ring }));
+                chains.push((first, Chain { parts: chain, closed: ring, ends }));
             }
         }
     }

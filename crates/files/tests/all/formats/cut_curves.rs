@@ -3,7 +3,7 @@
 use nalgebra::Point3;
 use proptest::prelude::*;
 use wirebend_core::units::Length;
-use wirebend_files::read::{CurveFacts, Imported, ReadOptions, read};
+use wirebend_files::read::{CurveFacts, Imported, NoteKind, ReadOptions, read};
 
 use super::drawn::{bounds, is_one_wire, points};
 use super::svg::page;
@@ -163,6 +163,90 @@ fn the_bracket_is_cut_for_a_bender() {
     assert!(facts(&bracket).deviation_mm < 1.5, "{:?}", facts(&bracket));
 }
 
+/// An arc from (30, 50) to (55, 50) of so large a radius that its chord is 3 mm off.
+const SHALLOW: &str = "A27.5 27.5 0 0 1";
+
+/// The area inside of a ring in the order of its vertices.
+fn area(imported: &Imported) -> f64 {
+    let ring = points(imported);
+    let next = |k: usize| ring[(k + 1) % ring.len()];
+    ring.iter().enumerate().map(|(k, a)| a.x * next(k).y - a.y * next(k).x).sum::<f64>().abs() / 2.0
+}
+
+#[test]
+fn a_closed_outline_keeps_all_its_wire() {
+    // Each of the curves alone would become the chord between its ends, and one of the two edges would be lost.
+    let lens = format!(r#"<path d="M30 50 {SHALLOW} 55 50 {SHALLOW} 30 50 Z"/>"#);
+    let shape_d = format!(r#"<path d="M30 50 {SHALLOW} 55 50 Z"/>"#);
+    for text in [lens, shape_d] {
+        let ring = svg(&text, 20.0);
+        assert_eq!(ring.wireframe.edge_count(), ring.wireframe.vertex_count(), "{:?}", points(&ring));
+        assert!(ring.wireframe.components().len() == 1 && area(&ring) > 25.0, "{:?}", points(&ring));
+        assert!(facts(&ring).too_short > 0, "{:?}", facts(&ring));
+        assert!(facts(&ring).deviation_mm < 3.2, "{:?}", facts(&ring));
+    }
+}
+
+#[test]
+fn curves_between_the_same_two_joints_stay_apart() {
+    // Stems at both ends, so that the curves are no ring.
+    let text = format!(
+        r#"<path d="M5 50 H30 {SHALLOW} 55 50 H80"/><path d="M55 50 {SHALLOW} 30 50"/><path d="M30 50 V90"/>"#
+    );
+    let ring = svg(&text, 20.0);
+    assert_eq!(ring.wireframe.edge_count(), 3 + 1 + 2, "{:?}", points(&ring));
+    // One stem: the ring begins and ends at it.
+    let pan = svg(&format!(r#"<path d="M5 50 H30 {SHALLOW} 55 50 {SHALLOW} 30 50"/>"#), 20.0);
+    assert_eq!(pan.wireframe.edge_count(), 1 + 3, "{:?}", points(&pan));
+}
+
+#[test]
+fn a_curve_that_is_drawn_twice_is_one_edge() {
+    let arc = format!(r#"<path d="M30 50 {SHALLOW} 55 50"/>"#);
+    let twice = svg(&format!("{arc}{arc}"), 20.0);
+    assert_eq!((twice.wireframe.edge_count(), facts(&twice).too_short), (1, 0));
+    let stems = svg(&format!(r#"{arc}{arc}<path d="M5 50 H30 M55 50 H80"/>"#), 20.0);
+    assert_eq!((stems.wireframe.edge_count(), facts(&stems).too_short), (3, 0));
+}
+
+#[test]
+fn a_tapered_slot_does_not_become_a_spike() {
+    // Two lines of 80 mm, two degrees apart, and an arc of 5 mm that leads from one to the other.
+    let turn = 178_f64.to_radians();
+    let (x, y) = (50.0 + 5.0 * turn.cos(), 50.0 - 5.0 * turn.sin());
+    let (far_x, far_y) = (x - 40.0 * turn.sin(), y + 40.0 * -turn.cos());
+    let slot = svg(&format!(r#"<path d="M55 90 V50 A5 5 0 0 0 {x} {y} L{far_x} {far_y}"/>"#), 20.0);
+    let [low, high] = bounds(&slot);
+    assert!(low[1] >= -90.0 - 1e-6 && high[1] <= -45.0 + 20.0, "{:?}", points(&slot));
+    assert!(facts(&slot).too_short > 0, "{:?}", facts(&slot));
+}
+
+#[test]
+fn pieces_of_no_length_do_not_part_a_stroke() {
+    let elbow =
+        |piece: &str| svg(&format!(r#"<path d="M10 90 H50 {piece} A10 10 0 0 0 60 80 {piece} V20"/>"#), 20.0);
+    assert_eq!(elbow("").wireframe.edge_count(), 2);
+    for piece in ["l0 0", "l0.0004 0", "c0 0 0 0 0 0"] {
+        assert_eq!(points(&elbow(piece)).len(), 3, "{piece}: {:?}", points(&elbow(piece)));
+        assert!(elbow(piece).notes.iter().any(|note| note.kind == NoteKind::EdgesCollapsed), "{piece}");
+    }
+    // Many of them are a line.
+    let steps = "l0.0008 0 ".repeat(40_000);
+    let line = svg(&format!(r#"<path d="M10 50 {steps}"/>"#), 20.0);
+    let [low, high] = bounds(&line);
+    assert!((high[0] - low[0] - 32.0).abs() < 2e-3, "{low:?} {high:?}");
+}
+
+#[test]
+fn more_points_than_there_is_room_for_are_refused() {
+    // Half a million points each at this tolerance.
+    let circles = r#"<circle cx="50" cy="50" r="90000"/>"#.repeat(12);
+    let options =
+        ReadOptions { tolerance: mm(1e-4), shortest_edge: Some(mm(20.0)), ..ReadOptions::default() };
+    let error = read(page(&circles).as_bytes(), "a.svg", None, &options).unwrap_err().to_string();
+    assert!(error.contains("more than 5000000 points"), "{error}");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(16))]
     #[test]
@@ -185,5 +269,38 @@ proptest! {
         prop_assert_eq!(short > 0, facts(&ring).too_short > 0);
         // Half the circumference there and half back: two edges are no ring.
         prop_assert!(short == 0 || rx.min(ry) * std::f64::consts::TAU < 4.5 * shortest);
+    }
+
+    #[test]
+    fn closed_chains_with_corners_are_rings(
+        corners in prop::collection::vec((0.6..1.0_f64, 0.7..3.0_f64, any::<bool>()), 2..6),
+        shortest in 5.0..40.0_f64,
+    ) {
+        // Corners about the middle of the page, each side a line or an arc that bulges outwards.
+        let count = corners.len();
+        #[allow(clippy::cast_precision_loss)] // below six
+        let at = |k: usize| {
+            let (sin, cos) = (std::f64::consts::TAU * (k % count) as f64 / count as f64).sin_cos();
+            (50.0 + 40.0 * corners[k % count].0 * cos, 50.0 + 40.0 * corners[k % count].0 * sin)
+        };
+        let mut path = vec![format!("M{} {}", at(0).0, at(0).1)];
+        for (k, &(_, bulge, is_line)) in corners.iter().enumerate() {
+            let ((from_x, from_y), (x, y)) = (at(k), at(k + 1));
+            let radius = 0.5 * (x - from_x).hypot(y - from_y) * (1.0 + bulge);
+            // Of two corners one side at least is an arc.
+            if is_line && (count > 2 || k > 0) {
+                path.push(format!("L{x} {y}"));
+            } else {
+                path.push(format!("A{radius} {radius} 0 0 1 {x} {y}"));
+            }
+        }
+        let ring = cut("a.svg", &page(&format!(r#"<path d="{} Z"/>"#, path.join(" "))), shortest, 3.0);
+        prop_assert!(ring.wireframe.edge_count() >= 3);
+        prop_assert_eq!(ring.wireframe.edge_count(), ring.wireframe.vertex_count());
+        prop_assert!(ring.wireframe.vertices().all(|(id, _)| ring.wireframe.incident(id).len() == 2));
+        for k in 0..count {
+            let (x, y) = at(k);
+            prop_assert!(has_vertex(&ring, x, -y), "{:?}", points(&ring));
+        }
     }
 }
