@@ -1115,7 +1115,8 @@ export interface ExportProfile {
  */
 export interface ExportsRequest {}
 /**
- * Asks what would fix all that the checks say of a kind, as one change.
+ * Asks what would fix all that the checks say of a kind, as one change. A search for the same kind that is under way is
+ * stopped.
  */
 export interface FixAllRequest {
   /**

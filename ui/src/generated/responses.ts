@@ -4011,7 +4011,8 @@ export interface FormatEntry {
  */
 export interface FixAllResponse {
   /**
-   * Null where fewer than two can be fixed, or where that would bring more errors than there are.
+   * Null where fewer than two can be fixed, where that would leave more errors than there are, or where the search was
+   * stopped.
    */
   all: FixAll | null;
 }

@@ -134,7 +134,8 @@ pub struct FixesResponse {
     pub fixes: Vec<Fix>,
 }
 
-/// Asks what would fix all that the checks say of a kind, as one change.
+/// Asks what would fix all that the checks say of a kind, as one change. A search for the same kind that is under way is
+/// stopped.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct FixAllRequest {
     /// The kind, by its code.
@@ -144,7 +145,8 @@ pub struct FixAllRequest {
 /// What would fix all of a kind.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct FixAllResponse {
-    /// Null where fewer than two can be fixed, or where that would bring more errors than there are.
+    /// Null where fewer than two can be fixed, where that would leave more errors than there are, or where the search was
+    /// stopped.
     pub all: Option<FixAll>,
 }
 
@@ -267,11 +269,15 @@ impl Workspace {
         asked: &FixAllRequest,
         _: &dyn Progress,
     ) -> Result<FixAllResponse, ApiError> {
-        let app = self.installation();
-        let search = self.open().fix_search(&app)?;
         // What is no code has no findings.
-        let code = DiagnosticCode::ALL.iter().find(|code| code.as_str() == asked.code);
-        let all = code.map_or(Ok(None), |code| search.fix_all(&app, *code))?;
+        let Some(&code) = DiagnosticCode::ALL.iter().find(|code| code.as_str() == asked.code) else {
+            return Ok(FixAllResponse { all: None });
+        };
+        let app = self.installation();
+        let searches = self.fix_all_searches.of(code);
+        let own = searches.begin();
+        let search = self.open().fix_search(&app)?;
+        let all = search.fix_all(&app, code, &|| searches.is_last(own))?;
         Ok(FixAllResponse { all })
     }
 

@@ -1,6 +1,10 @@
 //! Which of several questions of a kind was asked last.
 
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use wirebend_planning::report::DiagnosticCode;
 
 /// Which question of a kind was asked last: those of before are given up.
 #[derive(Debug, Default)]
@@ -23,6 +27,26 @@ impl Latest {
     }
 }
 
+/// The same for each kind of finding: a search for another kind goes on.
+#[derive(Debug, Default)]
+pub(super) struct LatestByCode {
+    of: Mutex<BTreeMap<DiagnosticCode, Arc<Latest>>>,
+}
+
+impl LatestByCode {
+    pub(super) fn of(&self, code: DiagnosticCode) -> Arc<Latest> {
+        let mut of = self.of.lock().unwrap_or_else(PoisonError::into_inner);
+        Arc::clone(of.entry(code).or_default())
+    }
+
+    /// Stops all.
+    pub(super) fn stop(&self) {
+        for latest in self.of.lock().unwrap_or_else(PoisonError::into_inner).values() {
+            latest.begin();
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -37,5 +61,17 @@ mod tests {
         assert!(checks.is_last(search), "a search for fixes does not end the check that it is of");
         let second = checks.begin();
         assert!(!checks.is_last(first) && !checks.is_last(search) && checks.is_last(second));
+    }
+
+    #[test]
+    fn a_search_for_one_kind_leaves_that_for_another() {
+        let searches = LatestByCode::default();
+        let (short, sharp) = (DiagnosticCode::EdgeTooShort, DiagnosticCode::BendTooSharp);
+        let (first, other) = (searches.of(short).begin(), searches.of(sharp).begin());
+        let again = searches.of(short).begin();
+        assert!(!searches.of(short).is_last(first) && searches.of(short).is_last(again));
+        assert!(searches.of(sharp).is_last(other));
+        searches.stop();
+        assert!(!searches.of(short).is_last(again) && !searches.of(sharp).is_last(other));
     }
 }

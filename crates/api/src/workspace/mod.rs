@@ -51,7 +51,7 @@ pub use exports::{
     SavedJob, SavedWireframe,
 };
 pub use frames::{FrameChoices, FrameChoicesRequest, FrameDesign, FrameShown, ToleranceDesign};
-use latest::Latest;
+use latest::{Latest, LatestByCode};
 pub use look::{LookRequest, LookResponse, Seen};
 pub use machines::{
     ChangeSettings, CompareDesign, MachineViewRequest, MachineViewResponse, SettingValue, SettingsChanged,
@@ -113,6 +113,7 @@ pub struct Workspace {
     operator: Mutex<Option<Arc<Operator>>>,
     events: Arc<dyn EventSink>,
     collision_checks: Latest,
+    fix_all_searches: LatestByCode,
     predictions: Latest,
     sequence_searches: Latest,
 }
@@ -134,6 +135,7 @@ impl Workspace {
             operator,
             events,
             collision_checks: Latest::default(),
+            fix_all_searches: LatestByCode::default(),
             predictions: Latest::default(),
             sequence_searches: Latest::default(),
         })
@@ -161,6 +163,7 @@ impl Workspace {
     /// The program ends: what moves is stopped, and the port closed. What no file has is offered at the next start.
     pub fn leave(&self) {
         self.collision_checks.begin();
+        self.fix_all_searches.stop();
         self.predictions.begin();
         self.sequence_searches.begin();
         self.let_go();

@@ -1,5 +1,6 @@
 //! How far a fix may move a vertex.
 
+use wirebend_core::plan::Machine;
 use wirebend_core::wireframe::{VertexId, Wireframe};
 use wirebend_planning::MachineEdges;
 
@@ -13,17 +14,31 @@ const SHORTEST_EDGES: f64 = 2.0;
 /// Whether each vertex goes no farther than the shortest edge at it is long, or twice the machine's shortest edge where
 /// that is more. Beyond that it is another design and no repair. To scale the whole is no move of a vertex.
 pub(super) fn is_near(edit: &EditRequest, trial: &Trial, trials: &Trials) -> bool {
-    if matches!(edit, EditRequest::Transform { .. }) {
+    if scales(edit) {
         return true;
     }
-    let least = SHORTEST_EDGES * MachineEdges::of(trials.machine()).shortest_edge_mm;
-    let wireframe = &trials.document().wireframe;
-    trial.change.wireframe.vertices.iter().all(|(&id, change)| match (change.before, change.after) {
-        (Some(before), Some(after)) => {
-            (after.position - before.position).norm() <= shortest_at(wireframe, id).max(least)
-        }
-        _ => true,
+    let before = &trials.document().wireframe;
+    let mut after = before.clone();
+    after.commit(&trial.change.wireframe).is_ok() && stay_near(before, &after, trials.machine())
+}
+
+/// The same of all vertices that are still there after any number of edits.
+pub(super) fn stay_near(before: &Wireframe, after: &Wireframe, machine: &Machine) -> bool {
+    let least = SHORTEST_EDGES * MachineEdges::of(machine).shortest_edge_mm;
+    before.vertices().all(|(id, vertex)| {
+        after.vertex(id).is_none_or(|moved| {
+            let by = (moved.position - vertex.position).norm();
+            by <= least || by <= shortest_at(before, id)
+        })
     })
+}
+
+/// Whether the whole is scaled, alone or among other edits.
+pub(super) fn scales(edit: &EditRequest) -> bool {
+    match edit {
+        EditRequest::Several { edits, .. } => edits.iter().any(scales),
+        one => matches!(one, EditRequest::Transform { .. }),
+    }
 }
 
 /// The length of the shortest edge at a vertex, mm; none of a vertex alone.

@@ -4,7 +4,7 @@ import { count, sentence } from "../../shared/figures/format";
 import { Line } from "../../shared/lists/Line";
 import { useKnown } from "../../state/design/collisions";
 import { useDesign } from "../../state/design/design";
-import { needFixes } from "../../state/design/fixes";
+import { needFixes, REST } from "../../state/design/fixes";
 import { useUi } from "../../state/window/ui";
 import { setAnnotations, useView } from "../../state/window/view";
 import { Section } from "../panel/Section";
@@ -13,9 +13,6 @@ import { Collisions } from "./Collisions";
 import { GroupLine } from "./GroupLine";
 import { fineOf, groupsOf, phraseOf } from "./texts";
 import "./check.css";
-
-/** Fixes are asked for once the design has come to rest, ms. */
-const REST = 350;
 
 /** What the machine cannot make and why, what is near a limit, and what is fine. */
 export function CheckSection() {

@@ -3,20 +3,24 @@ import type { DiagnosticReport } from "../../generated/responses";
 import { count } from "../../shared/figures/format";
 import { useDesign } from "../../state/design/design";
 import { needFixAll, useFixAll } from "../../state/design/fix_all";
+import { REST } from "../../state/design/fixes";
 import { FixList } from "./FixList";
 
 /** One change for all findings of a kind, with how many it fixes and how many stay; nothing where there is none. */
 export function FixAllOffer({ code }: { readonly code: DiagnosticReport["code"] }) {
   const limits = useDesign((design) => design.limits);
   const { of, found } = useFixAll();
+  const dragging = useDesign((design) => design.dragged.length > 0);
   useEffect(() => {
-    if (limits) void needFixAll(code);
-  }, [limits, code]);
+    if (!limits || dragging) return;
+    const timer = setTimeout(() => void needFixAll(code), REST);
+    return () => clearTimeout(timer);
+  }, [limits, dragging, code]);
   const answer = of === limits ? found.get(code) : undefined;
   if (answer?.looking)
     return (
       <p className="muted small" role="status">
-        Trying the fixes of all places together…
+        Trying all fixes together…
       </p>
     );
   const all = answer?.all;
@@ -26,7 +30,7 @@ export function FixAllOffer({ code }: { readonly code: DiagnosticReport["code"] 
     <section className="fix-all" aria-label="Fix all of this kind">
       <h3>Fix all of this kind</h3>
       <p className="muted small">
-        {count(all.fixed, "place")} fixed, {left === 0 ? "none" : left} left. One step to undo.
+        Fixes {count(all.fixed, "place")}, {left === 0 ? "none" : left} left. Undone in one step.
       </p>
       <FixList fixes={[all.fix]} />
     </section>

@@ -9,7 +9,7 @@ vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Erro
 import type { DiagnosticReport, Fix, LiveCheck } from "../../generated/responses";
 import { useDesign } from "../../state/design/design";
 import { useFixAll } from "../../state/design/fix_all";
-import { useFixes } from "../../state/design/fixes";
+import { REST, useFixes } from "../../state/design/fixes";
 import { useSelection } from "../../state/design/selection";
 import { useUi } from "../../state/window/ui";
 import { GroupLine } from "./GroupLine";
@@ -18,6 +18,7 @@ Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: true });
 
 let host: HTMLElement;
 let root: Root;
+type DesignDragged = ReturnType<typeof useDesign.getState>["dragged"];
 
 const report = (code: DiagnosticReport["code"], more: Partial<DiagnosticReport> = {}): DiagnosticReport => ({
   code,
@@ -37,20 +38,27 @@ const fix = {
 } as unknown as Fix;
 
 beforeEach(() => {
+  vi.useFakeTimers();
   host = document.createElement("div");
   document.body.append(host);
   root = createRoot(host);
   const check: LiveCheck = { feasible: false, diagnostics: [short], wires: [], limits_unknown: null };
-  useDesign.setState({ check, limits: check, surfaces: new Map() });
+  useDesign.setState({ check, limits: check, dragged: [], surfaces: new Map() });
   useFixes.setState({ fixes: [fix], of: check, shown: null });
 });
 afterEach(() => {
   act(() => root.unmount());
   host.remove();
+  vi.useRealTimers();
 });
 
 const show = (reports: DiagnosticReport[]) =>
   act(() => root.render(<GroupLine group={{ key: "x", severity: "error", reports }} />));
+/** Opens the fixes, and waits until the design counts as at rest. */
+const openAndRest = async () => {
+  await act(async () => button("Fix…").click());
+  await act(async () => void (await vi.advanceTimersByTimeAsync(REST)));
+};
 const button = (text: string): HTMLButtonElement => {
   const found = [...host.querySelectorAll("button")].find(({ textContent }) => textContent === text);
   if (!found) throw new Error(`no button ${text}`);
@@ -90,9 +98,9 @@ describe("a line of the checks", () => {
     const all = { fix: { ...fix, title: "Fix 2 of 3 places" }, fixed: 2, of: 3 };
     platform.ask.mockReset().mockResolvedValue({ all });
     show([short, other]);
-    await act(async () => button("Fix…").click());
+    await openAndRest();
     expect(platform.ask.mock.calls).toEqual([["fix-all", { code: "edge_too_short" }]]);
-    expect(host.querySelector(".fix-all")?.textContent).toContain("2 places fixed, 1 left");
+    expect(host.querySelector(".fix-all")?.textContent).toContain("Fixes 2 places, 1 left");
     expect(button("Apply").getAttribute("aria-disabled")).toBeNull();
   });
 
@@ -100,8 +108,30 @@ describe("a line of the checks", () => {
     platform.ask.mockReset().mockResolvedValue({ all: null });
     useFixAll.setState({ of: null, found: new Map() });
     show([short, report("edge_too_short", { edge: 9, edges: [9] })]);
-    await act(async () => button("Fix…").click());
+    await openAndRest();
+    expect(platform.ask.mock.calls.length).toBe(1);
     expect(host.querySelector(".fix-all")).toBeNull();
+  });
+
+  it("looks for one change of all only once the design is at rest", async () => {
+    platform.ask.mockReset().mockResolvedValue({ all: null });
+    useFixAll.setState({ of: null, found: new Map() });
+    show([short, report("edge_too_short", { edge: 9, edges: [9] })]);
+    await openAndRest();
+    const checked = (dragged: DesignDragged) =>
+      act(async () => {
+        const check: LiveCheck = { feasible: false, diagnostics: [short], wires: [], limits_unknown: null };
+        useDesign.setState({ check, limits: check, dragged });
+        await vi.advanceTimersByTimeAsync(REST / 2);
+      });
+    for (let k = 0; k < 5; k++) await checked([{ vertex: 1, at: [k, 0, 0] }]);
+    await act(async () => void (await vi.advanceTimersByTimeAsync(2 * REST)));
+    expect(platform.ask.mock.calls.length).toBe(1);
+    await checked([]);
+    await checked([]);
+    expect(platform.ask.mock.calls.length).toBe(1);
+    await act(async () => void (await vi.advanceTimersByTimeAsync(REST)));
+    expect(platform.ask.mock.calls.length).toBe(2);
   });
 
   it("leads to the wires where the wire does not fit the machine", () => {

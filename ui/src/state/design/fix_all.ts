@@ -21,11 +21,11 @@ function put(of: LiveCheck, code: Code, looking: boolean, all: FixAll | null): v
   });
 }
 
-/** Asks what would fix all findings of a kind in the design as it is, unless that was asked. */
+/** Asks what would fix all findings of a kind in the design as it is, unless that was asked. While vertices are dragged the checks are of another design. */
 export async function needFixAll(code: Code): Promise<void> {
-  const { limits } = useDesign.getState();
+  const { limits, dragged } = useDesign.getState();
   const { of, found } = useFixAll.getState();
-  if (!limits || (of === limits && found.has(code))) return;
+  if (!limits || dragged.length > 0 || (of === limits && found.has(code))) return;
   put(limits, code, true, null);
   // An offer: where none can be had, each finding has its own fixes.
   const { all } = await asking("fix-all", { code }).catch(() => ({ all: null }));

@@ -7,6 +7,9 @@ import { useView } from "../window/view";
 import { edit, useDesign } from "./design";
 import { isCollision } from "./findings";
 
+/** Fixes are asked for once the design has come to rest, ms. */
+export const REST = 350;
+
 interface FixStore {
   /** Of the checks without collisions, then of collisions. */
   readonly fixes: readonly Fix[];

@@ -7,7 +7,7 @@ use super::{codes, on_kit};
 use crate::app;
 
 fn fix_all(editor: &mut Editor, code: Code) -> Option<FixAll> {
-    editor.fix_search(&app()).unwrap().fix_all(&app(), code).unwrap()
+    editor.fix_search(&app()).unwrap().fix_all(&app(), code, &|| true).unwrap()
 }
 
 /// A comb: long teeth, joined by edges of some lengths in turn.
@@ -54,6 +54,7 @@ fn for_one_finding_there_is_no_fix_of_all() {
 
 #[test]
 fn no_fix_of_all_leaves_more_errors_than_there_were() {
+    let mut offered = 0;
     for gaps in [&[12.0, 15.0, 9.0][..], &[3.0, 3.0, 3.0, 3.0], &[21.0, 1.0, 22.0, 2.0]] {
         let mut editor = on_kit(&comb(gaps));
         let before = editor.check(&app(), &[]).unwrap();
@@ -64,6 +65,59 @@ fn no_fix_of_all_leaves_more_errors_than_there_were() {
             let Some(all) = fix_all(&mut editor, code) else { continue };
             assert!(all.fix.errors_after <= count(&before), "{gaps:?}: {all:?}");
             assert!(all.fix.change.errors <= 0);
+            offered += 1;
         }
     }
+    assert!(offered > 0, "nothing was looked at");
+}
+
+#[test]
+fn no_fix_of_all_moves_a_vertex_farther_than_one_fix_may() {
+    // Stairs: each step is too short, and its fix pushes the next one on.
+    let stairs = |step: f64, count: u32| {
+        let mut points = vec![[-60.0, 0.0, 0.0]];
+        for k in 0..count {
+            let at = step * f64::from(k);
+            points.extend([[at, at, 0.0], [at, at + step, 0.0]]);
+        }
+        let end = step * f64::from(count);
+        points.push([end + 60.0, end, 0.0]);
+        points
+    };
+    let mut offered = 0;
+    for points in [stairs(3.0, 4), stairs(10.0, 3), comb(&[3.0, 3.0, 3.0]), comb(&[12.0, 15.0, 9.0])] {
+        let mut editor = on_kit(&points);
+        for code in [Code::EdgeTooShort, Code::FeedTooShort, Code::ArcsOverlap] {
+            let Some(all) = fix_all(&mut editor, code) else { continue };
+            offered += 1;
+            let after = {
+                let mut editor = on_kit(&points);
+                editor.edit(&app(), &all.fix.edit).unwrap();
+                editor.view()
+            };
+            let apart =
+                |a: &[f64; 3], b: &[f64; 3]| (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt();
+            let view = editor.view();
+            for vertex in &after.vertices {
+                let Some(before) = view.vertices.iter().find(|other| other.id == vertex.id) else { continue };
+                let beside = (0..points.len() - 1).map(|k| [points[k], points[k + 1]]);
+                let shortest = beside
+                    .filter(|ends| ends.contains(&before.at_mm))
+                    .map(|[a, b]| apart(&a, &b))
+                    .fold(f64::INFINITY, f64::min);
+                // Twice the shortest edge of this machine, which is 27.3 mm between right angles.
+                let by = apart(&before.at_mm, &vertex.at_mm);
+                assert!(by <= shortest.max(2.0 * 27.3), "{code:?}: vertex {} by {by} mm", vertex.id);
+            }
+        }
+    }
+    assert!(offered > 1, "nothing was looked at");
+}
+
+#[test]
+fn a_search_that_is_given_up_offers_nothing() {
+    let mut editor = on_kit(&comb(&[12.0, 15.0]));
+    assert!(fix_all(&mut editor, Code::EdgeTooShort).is_some());
+    let search = editor.fix_search(&app()).unwrap();
+    assert_eq!(search.fix_all(&app(), Code::EdgeTooShort, &|| false).unwrap(), None);
 }

@@ -14,7 +14,9 @@ fn no_fix_moves_a_vertex_by_metres() {
     assert!(codes(&check).contains(&"arcs_overlap"), "{:?}", codes(&check));
     // To scale the whole is said with its factor.
     let moves = |fix: &Fix| !matches!(fix.edit, EditRequest::Transform { .. });
-    for fix in promised(&mut editor, &app()).into_iter().filter(moves) {
+    let fixes = promised(&mut editor, &app());
+    assert!(!fixes.is_empty(), "nothing is offered that could be looked at");
+    for fix in fixes.into_iter().filter(moves) {
         for moved in &fix.preview.moved {
             let at = points[moved.vertex as usize];
             let by = (0..3).map(|k| (moved.at_mm[k] - at[k]).powi(2)).sum::<f64>().sqrt();
