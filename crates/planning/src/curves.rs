@@ -23,6 +23,9 @@ pub enum ShortestEdge {
     Mm(f64),
 }
 
+/// No machine makes edges as short as this, mm, and a curve has room for any number of shorter ones.
+const MIN_SHORTEST_MM: f64 = 0.1;
+
 /// What of edges a machine can make with its wire.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct MachineEdges {
@@ -74,8 +77,8 @@ impl ShortestEdge {
         };
         let shortest = match (self, machine.map(MachineEdges::of)) {
             (Self::Mm(given), _) => {
-                let length = Length::from_mm(given).ok().filter(|length| *length > Length::ZERO);
-                length.ok_or_else(|| refused(given.to_string(), "a length in mm above 0"))?
+                let length = Length::from_mm(given).ok().filter(|length| length.mm() >= MIN_SHORTEST_MM);
+                length.ok_or_else(|| refused(given.to_string(), "a length of 0.1 mm or more"))?
             }
             (Self::Machine, Some(edges)) => mm(edges.shortest_edge_mm)?,
             (Self::Machine, None) => {
@@ -221,8 +224,9 @@ mod tests {
         assert!((chosen.shortest.mm() - MachineEdges::of(&setup.model).shortest_edge_mm).abs() < 1e-9);
         for (asked, expected) in [
             (ShortestEdge::Machine, "no machine is chosen"),
-            (ShortestEdge::Mm(0.0), "above 0"),
-            (ShortestEdge::Mm(f64::NAN), "above 0"),
+            (ShortestEdge::Mm(0.0), "0.1 mm or more"),
+            (ShortestEdge::Mm(1e-9), "0.1 mm or more"),
+            (ShortestEdge::Mm(f64::NAN), "0.1 mm or more"),
         ] {
             let error = asked.chosen(None).unwrap_err().to_string();
             assert!(error.contains(expected), "{error}");

@@ -41,7 +41,7 @@ it("cuts a small circle to what the machine can make, and says how far off that 
 
 it("shows at once what comes of the curve without a least length", async () => {
   await ask();
-  await dialog().getByRole("checkbox", { name: "Cut curves to it" }).uncheck();
+  await dialog().getByRole("checkbox", { name: "Limit edge length" }).uncheck();
   await until(() => result().innerText()).toMatch(/up to 0\.1/);
   await until(() => result().innerText()).toMatch(/(3\d|4\d) edges/);
   await dialog().getByRole("button", { name: "Cancel" }).click();

@@ -1,8 +1,10 @@
 //! A look into a file before it is opened: what it is, and how large in which unit.
 
+use std::sync::Arc;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::mesh::Stencil;
+use wirebend_core::mesh::{Placement, Stencil};
 use wirebend_files::read::Format;
 
 use super::Workspace;
@@ -101,7 +103,14 @@ impl Workspace {
         let machine = setup.as_ref().map(|setup| &setup.model);
         let opened = asked.design.open_bytes(name, &bytes, machine)?;
         let document = &opened.document;
-        let surfaces: Vec<Stencil> = document.surfaces_in_place().collect();
+        // Most lie as in their file, and are looked at at every figure that is typed: these are not copied.
+        let in_place = document.placed_stencils().filter_map(|(stencil, surface)| {
+            let surface = surface.embedded()?;
+            let lies_as_read = stencil.placement == Placement::default();
+            let placed = || Arc::new(surface.placed(&stencil.placement));
+            Some(if lies_as_read { Arc::clone(surface) } else { placed() })
+        });
+        let surfaces: Vec<Arc<Stencil>> = in_place.collect();
         let (lines, surface) = (document.wireframe.edge_count() > 0, !surfaces.is_empty());
         let points = document.wireframe.vertices().map(|(_, vertex)| vertex.position);
         let corners = surfaces.iter().flat_map(|surface| surface.vertices().iter().copied());

@@ -46,7 +46,7 @@ describe("how curves are cut", () => {
 
   it("shows the machine, how far off the result is, and how much is bent", () => {
     const changed = vi.fn();
-    act(() => root.render(<CurveFields cutting={cuttingFor(look)} look={look} onChange={changed} />));
+    act(() => root.render(<CurveFields cutting={cuttingFor(look)} look={look} pending={false} onChange={changed} />));
     expect(host.textContent).toContain("What WireBend-kit can make");
     expect(host.querySelector("[role=status]")?.textContent).toMatch(/Largest deviation1\.8.* mm.*6 edges, 5 bends/);
     act(() => host.querySelector<HTMLInputElement>("input[type=checkbox]")?.click());
@@ -55,7 +55,16 @@ describe("how curves are cut", () => {
 
   it("promises no more than the tolerance where edges may be of any length", () => {
     const cutting = { tolerance: 0.25, limited: false, shortest: 27.3 };
-    act(() => root.render(<CurveFields cutting={cutting} look={{ ...look, curves: null }} onChange={() => {}} />));
+    const free = { ...look, curves: null };
+    act(() => root.render(<CurveFields cutting={cutting} look={free} pending={false} onChange={() => {}} />));
     expect(host.querySelector("[role=status]")?.textContent).toMatch(/up to 0\.[23]/);
+  });
+
+  it("shows no figures of other choices until the answer for these is there", () => {
+    const cutting = cuttingFor(look);
+    for (const of of [look, { ...look, curves: null, edges: 40 }]) {
+      act(() => root.render(<CurveFields cutting={cutting} look={of} pending onChange={() => {}} />));
+      expect(host.querySelector("[role=status]")?.textContent).toBe("Largest deviation…Result…");
+    }
   });
 });

@@ -33,10 +33,13 @@ export function asInput({ tolerance, limited, shortest }: Cutting): {
 export function CurveFields({
   cutting,
   look,
+  pending,
   onChange,
 }: {
   readonly cutting: Cutting;
   readonly look: LookResponse;
+  /** Whether `look` is of other choices, since the answer for these is not there yet. */
+  readonly pending: boolean;
   readonly onChange: (cutting: Cutting) => void;
 }) {
   const { length, name } = useLengths();
@@ -47,7 +50,7 @@ export function CurveFields({
       ? own
         ? `What ${machine} can make between bends of up to 90°.`
         : `${machine} can make ${length(machine_edges.shortest_edge_mm)} between bends of up to 90°.`
-      : "Choose a machine to take it from there.";
+      : "Choose a machine to use its limit.";
   return (
     <>
       <Field label="Tolerance" hint={`How far straight edges may be from a drawn curve, ${name}.`}>
@@ -75,19 +78,27 @@ export function CurveFields({
               onCommit={(shortest) => onChange({ ...cutting, shortest })}
             />
             <Checkbox checked={cutting.limited} onChange={(limited) => onChange({ ...cutting, limited })}>
-              Cut curves to it
+              Limit edge length
             </Checkbox>
           </div>
         )}
       </Field>
-      <Outcome cutting={cutting} look={look} />
+      <Outcome cutting={cutting} look={look} pending={pending} />
     </>
   );
 }
 
-function Outcome({ cutting, look }: { readonly cutting: Cutting; readonly look: LookResponse }) {
+function Outcome({
+  cutting,
+  look,
+  pending,
+}: {
+  readonly cutting: Cutting;
+  readonly look: LookResponse;
+  readonly pending: boolean;
+}) {
   const { unit } = useLengths();
-  const { curves } = look;
+  const curves = pending ? null : look.curves;
   // Without a least length the tolerance is kept everywhere.
   const off = curves ? deviation(curves.deviation_mm, unit) : `up to ${deviation(cutting.tolerance, unit)}`;
   const tone = curves && (curves.coarser > 0 || curves.too_short > 0) ? "curve-outcome coarse" : "curve-outcome";
@@ -96,13 +107,11 @@ function Outcome({ cutting, look }: { readonly cutting: Cutting; readonly look: 
       <dl className={tone}>
         <div>
           <dt>Largest deviation</dt>
-          <dd>{off}</dd>
+          <dd>{pending ? "…" : off}</dd>
         </div>
         <div>
           <dt>Result</dt>
-          <dd>
-            {count(look.edges, "edge")}, {count(look.bends, "bend")}
-          </dd>
+          <dd>{pending ? "…" : `${count(look.edges, "edge")}, ${count(look.bends, "bend")}`}</dd>
         </div>
       </dl>
     </div>

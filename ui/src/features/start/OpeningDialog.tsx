@@ -43,6 +43,8 @@ export function OpeningDialog() {
 function Asking({ opening }: { readonly opening: Opening }) {
   const { path, purpose } = opening;
   const [look, setLook] = useState<LookResponse>(opening.look);
+  /** What `look` was asked with; null before the first answer for the choices here. */
+  const [seenFor, setSeenFor] = useState<string | null>(null);
   const [units, setUnits] = useState<LengthUnit>("mm");
   const [scale, setScale] = useState(1);
   const [layers, setLayers] = useState<readonly string[]>([]);
@@ -65,9 +67,11 @@ function Asking({ opening }: { readonly opening: Opening }) {
   useEffect(() => {
     let current = true;
     const timer = setTimeout(() => {
-      void told(platform.ask("look", { design: JSON.parse(asked) as DesignInput })).then(
-        (seen) => current && seen && setLook(seen),
-      );
+      void told(platform.ask("look", { design: JSON.parse(asked) as DesignInput })).then((seen) => {
+        if (!current || !seen) return;
+        setLook(seen);
+        setSeenFor(asked);
+      });
     }, 150);
     return () => {
       current = false;
@@ -150,7 +154,7 @@ function Asking({ opening }: { readonly opening: Opening }) {
               </p>
             </fieldset>
           )}
-          <CurveFields cutting={cutting} look={look} onChange={setCutting} />
+          <CurveFields cutting={cutting} look={look} pending={seenFor !== asked} onChange={setCutting} />
         </>
       )}
       {surface && purpose === "design" && (
