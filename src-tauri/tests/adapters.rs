@@ -83,7 +83,7 @@ fn a_refusal_arrives_with_code_and_message() {
 fn a_stencil_arrives_as_bytes() {
     let window = window(Vec::new());
     window.ask(&json!({"ask": "open-example", "id": "bunny-stencil"})).unwrap();
-    let InvokeResponseBody::Raw(bytes) = window.invoke("stencil_mesh", json!({})).unwrap() else {
+    let InvokeResponseBody::Raw(bytes) = window.invoke("stencil_mesh", json!({"stencil": 0})).unwrap() else {
         panic!("the stencil came as text");
     };
     let corners = u32::from_le_bytes(bytes[..4].try_into().unwrap());

@@ -38,3 +38,12 @@ it("asks for no more than a machine may be asked for", () => {
   for (const _ of "12") press("Faster");
   expect(asked()).toEqual([200, 200]);
 });
+
+it("goes on from what the machine has, where it has refused", async () => {
+  order.mockResolvedValueOnce(false);
+  at.show(<Speed percent={100} why={null} />);
+  press("Faster");
+  await act(async () => {});
+  press("Slower");
+  expect(asked()).toEqual([110, 90]);
+});

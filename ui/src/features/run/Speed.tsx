@@ -13,7 +13,9 @@ export function Speed({ percent, why }: { readonly percent: number; readonly why
   const last = useRef({ percent, at: Number.NEGATIVE_INFINITY });
   const set = (wanted: number) => {
     last.current = { percent: wanted, at: performance.now() };
-    void order({ order: "speed", percent: wanted });
+    void order({ order: "speed", percent: wanted }).then((taken) => {
+      if (!taken) last.current.at = Number.NEGATIVE_INFINITY;
+    });
   };
   // A second click is a second step, also before the machine has reported the first.
   const step = (by: number) => {
