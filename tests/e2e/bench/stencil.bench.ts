@@ -35,7 +35,7 @@ async function open(): Promise<{ asks: number; shows: number }> {
   await editor.button("Add to this design").click();
   await editor
     .section("trace")
-    .getByText(/^200.000 triangles$/)
+    .getByText(/^200.000 faces$/)
     .waitFor();
   await until(async () => (await recorded(page)).shown !== null).toBe(true);
   const { chosen, dialog, said, shown } = await recorded(page);

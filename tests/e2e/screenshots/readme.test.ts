@@ -57,7 +57,7 @@ it("makes the pictures", async () => {
   await editor.take("bunny-stencil", "trace");
   await editor
     .section("trace")
-    .getByText(/triangles/)
+    .getByText(/faces/)
     .first()
     .waitFor();
   const whole = await editor.loopback.ask("look", { design: { input: { file: `${root}examples/bunny.obj` } } });
