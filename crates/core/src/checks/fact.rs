@@ -1,5 +1,6 @@
 //! What a finding says, as figures.
 
+mod bend_of;
 mod code;
 mod figures;
 
@@ -13,6 +14,7 @@ use crate::search::Helps;
 use crate::sequence::Violation;
 use crate::units::{Angle, Length};
 use crate::wireframe::{EdgeId, VertexId};
+pub use bend_of::BendOf;
 
 /// What a finding says, beyond how bad it is and where.
 ///
@@ -391,15 +393,4 @@ pub enum Fact {
     },
     /// A step of a sequence cannot be made.
     SequenceStep(Violation),
-}
-
-/// Which bend a finding is about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum BendOf {
-    /// The bend that the route makes at a step.
-    Step,
-    /// The same, where no route avoids one beyond the limit at this vertex.
-    Forced,
-    /// The least that the sharpest bend at a vertex can be, where there is no route yet.
-    Vertex,
 }
