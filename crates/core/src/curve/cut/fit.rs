@@ -188,7 +188,7 @@ impl<'a> Fit<'a> {
             deviation,
             at,
             missing: lacking.iter().map(|lack| (lack + MARGIN_MM).max(0.0)).sum(),
-            too_short: lacking.iter().filter(|&&lack| lack > MARGIN_MM / 10.0).count(),
+            too_short: lacking.iter().filter(|&&lack| lack > MARGIN_MM / 100.0).count(),
         }
     }
 

@@ -153,24 +153,22 @@ proptest! {
             }
             points[0]
         };
-        let curve: Vec<_> = (0..=200).map(|k| point(f64::from(k) / 200.0)).collect();
+        let curve: Vec<_> = (0..=400).map(|k| point(f64::from(k) / 400.0)).collect();
         let cut = cut_curve(&curve, CurveEnds::Open([None, None]), mm(tolerance), &limit(shortest), 0);
         prop_assert_eq!(cut.points[0], curve[0]);
-        prop_assert_eq!(cut.points[cut.points.len() - 1], curve[200]);
+        prop_assert_eq!(cut.points[cut.points.len() - 1], curve[400]);
         for k in 0..=333 {
             let off = distance(&point(f64::from(k) / 333.0), &cut.points);
-            // What lies between two samples is that much farther off at most.
-            let unseen = curve.iter().map(|seen| (seen - point(f64::from(k) / 333.0)).norm());
-            let unseen = unseen.fold(f64::INFINITY, f64::min);
-            prop_assert!(off <= cut.deviation.mm() + unseen + 1e-9, "{} off, said {}", off, cut.deviation.mm());
+            // A step of these curves is 1 mm at most, and its chord that much off.
+            prop_assert!(off <= cut.deviation.mm() + 5e-2, "{} off, said {}", off, cut.deviation.mm());
         }
         for corner in &cut.points {
             prop_assert!(distance(corner, &curve) <= cut.deviation.mm() + 1e-6);
         }
         let length: f64 = curve.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
-        let short = edges(&cut, false).iter().filter(|&&edge| edge < shortest - 1e-5).count();
+        let short = edges(&cut, false).iter().filter(|&&edge| edge < shortest - 1e-6).count();
         prop_assert_eq!(short > 0, cut.too_short > 0);
-        let reach = (curve[200] - curve[0]).norm();
+        let reach = (curve[400] - curve[0]).norm();
         prop_assert!(short == 0 || reach < shortest || length < shortest, "{:?}", edges(&cut, false));
     }
 
@@ -231,7 +229,7 @@ proptest! {
         for point in &curve {
             prop_assert!(distance(point, &line) <= cut.deviation.mm() + 1e-6);
         }
-        let short = edges(&cut, true).iter().filter(|&&edge| edge < shortest - 1e-5).count();
+        let short = edges(&cut, true).iter().filter(|&&edge| edge < shortest - 1e-6).count();
         prop_assert_eq!(short > 0, cut.too_short > 0);
         // A triangle of the least edges lies within a circle of 3·s/2 of circumference or more.
         prop_assert!(short == 0 || a.min(b) * TAU < 4.5 * shortest, "{:?}", edges(&cut, true));

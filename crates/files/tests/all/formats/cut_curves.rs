@@ -265,7 +265,7 @@ proptest! {
             let distance = off(&ring, &point);
             prop_assert!(distance <= facts(&ring).deviation_mm + 1e-6, "{} off, said {:?}", distance, facts(&ring));
         }
-        let short = edge_lengths(&ring).iter().filter(|&&edge| edge < shortest - 1e-5).count();
+        let short = edge_lengths(&ring).iter().filter(|&&edge| edge < shortest - 1e-6).count();
         prop_assert_eq!(short > 0, facts(&ring).too_short > 0);
         // Half the circumference there and half back: two edges are no ring.
         prop_assert!(short == 0 || rx.min(ry) * std::f64::consts::TAU < 4.5 * shortest);
@@ -305,9 +305,9 @@ proptest! {
         prop_assert_eq!(ring.wireframe.edge_count(), ring.wireframe.vertex_count());
         prop_assert!(ring.wireframe.vertices().all(|(id, _)| ring.wireframe.incident(id).len() == 2));
         for k in 0..count {
-            // What hardly turns is no corner.
+            // A turn of no more than 3 degrees is the rounding of a file.
             let turn = ways[k][0] - ways[(k + count - 1) % count][1];
-            if turn.sin().hypot(turn.cos() - 1.0) < 4.0_f64.to_radians() {
+            if turn.sin().hypot(turn.cos() - 1.0) <= 3.0_f64.to_radians() {
                 continue;
             }
             let (x, y) = at(k);
