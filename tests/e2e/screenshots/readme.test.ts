@@ -55,11 +55,7 @@ it("makes the pictures", async () => {
 
   // A surface to trace on, from the right, and a strand around it.
   await editor.take("bunny-stencil", "trace");
-  await editor
-    .section("trace")
-    .getByText(/faces/)
-    .first()
-    .waitFor();
+  await editor.section("trace").getByText(/faces/).first().waitFor();
   const whole = await editor.loopback.ask("look", { design: { input: { file: `${root}examples/bunny.obj` } } });
   const half = (whole.size_mm ?? [0, 0, 0]).map((size) => size / 2);
   // The bunny's box, of which the view shows the middle in its middle.

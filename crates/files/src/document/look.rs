@@ -44,12 +44,12 @@ impl FromStr for Colour {
     type Err = NoColour;
 
     fn from_str(text: &str) -> Result<Self, NoColour> {
-        let digits = text.strip_prefix('#').filter(|digits| digits.len() == 6 && digits.is_ascii());
-        let part = |at: usize| digits.and_then(|digits| u8::from_str_radix(digits.get(at..at + 2)?, 16).ok());
-        let parts = part(0).zip(part(2)).zip(part(4));
+        let digits = text.strip_prefix('#').filter(|digits| digits.len() == 6);
         // `from_str_radix` takes a sign.
-        let plain = text.bytes().skip(1).all(|byte| byte.is_ascii_hexdigit());
-        parts.filter(|_| plain).map(|((r, g), b)| Self([r, g, b])).ok_or_else(|| NoColour(text.to_owned()))
+        let digits = digits.filter(|digits| digits.bytes().all(|byte| byte.is_ascii_hexdigit()));
+        let number = digits.and_then(|digits| u32::from_str_radix(digits, 16).ok());
+        let [_, r, g, b] = number.ok_or_else(|| NoColour(text.to_owned()))?.to_be_bytes();
+        Ok(Self([r, g, b]))
     }
 }
 

@@ -173,9 +173,10 @@ impl Cutter {
             ends_in_run = !keeps[at];
             let place = &parts[at].place;
             if keeps[at] {
-                let known = usize::from(!vertices.is_empty());
-                let ends = [parts[at].end(0), parts[at].end(1)];
-                vertices.extend(ends.into_iter().skip(known).map(|point| (place.clone(), point)));
+                if vertices.is_empty() {
+                    vertices.push((place.clone(), parts[at].end(0)));
+                }
+                vertices.push((place.clone(), parts[at].end(1)));
             } else {
                 let line = |k: Option<usize>, joint: bool, side: usize| {
                     k.filter(|&k| joint && keeps[k]).map(|k| parts[k].ways[side])

@@ -1,23 +1,11 @@
 // @vitest-environment happy-dom
 import { act } from "react";
-import { createRoot, type Root } from "react-dom/client";
-import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import type { LookResponse } from "../../generated/responses";
+import { place } from "../../shared/testing";
 import { asInput, CurveFields, cuttingFor } from "./CurveFields";
 
-Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: true });
-
-let host: HTMLElement;
-let root: Root;
-beforeEach(() => {
-  host = document.createElement("div");
-  document.body.append(host);
-  root = createRoot(host);
-});
-afterEach(() => {
-  act(() => root.unmount());
-  host.remove();
-});
+const at = place();
 
 const edges = { shortest_edge_mm: 27.234, bend_radius_mm: 3 };
 const look = {
@@ -46,25 +34,25 @@ describe("how curves are cut", () => {
 
   it("shows the machine, how far off the result is, and how much is bent", () => {
     const changed = vi.fn();
-    act(() => root.render(<CurveFields cutting={cuttingFor(look)} look={look} pending={false} onChange={changed} />));
-    expect(host.textContent).toContain("What WireBend-kit can make");
-    expect(host.querySelector("[role=status]")?.textContent).toMatch(/Largest deviation1\.8.* mm.*6 edges, 5 bends/);
-    act(() => host.querySelector<HTMLInputElement>("input[type=checkbox]")?.click());
+    at.show(<CurveFields cutting={cuttingFor(look)} look={look} pending={false} onChange={changed} />);
+    expect(at.host.textContent).toContain("What WireBend-kit can make");
+    expect(at.host.querySelector("[role=status]")?.textContent).toMatch(/Largest deviation1\.8.* mm.*6 edges, 5 bends/);
+    act(() => at.host.querySelector<HTMLInputElement>("input[type=checkbox]")?.click());
     expect(changed).toHaveBeenCalledWith({ tolerance: 0.1, limited: false, shortest: 27.3 });
   });
 
   it("promises no more than the tolerance where edges may be of any length", () => {
     const cutting = { tolerance: 0.25, limited: false, shortest: 27.3 };
     const free = { ...look, curves: null };
-    act(() => root.render(<CurveFields cutting={cutting} look={free} pending={false} onChange={() => {}} />));
-    expect(host.querySelector("[role=status]")?.textContent).toMatch(/up to 0\.[23]/);
+    at.show(<CurveFields cutting={cutting} look={free} pending={false} onChange={() => {}} />);
+    expect(at.host.querySelector("[role=status]")?.textContent).toMatch(/up to 0\.[23]/);
   });
 
   it("shows no figures of other choices until the answer for these is there", () => {
     const cutting = cuttingFor(look);
     for (const of of [look, { ...look, curves: null, edges: 40 }]) {
-      act(() => root.render(<CurveFields cutting={cutting} look={of} pending onChange={() => {}} />));
-      expect(host.querySelector("[role=status]")?.textContent).toBe("Largest deviation…Result…");
+      at.show(<CurveFields cutting={cutting} look={of} pending onChange={() => {}} />);
+      expect(at.host.querySelector("[role=status]")?.textContent).toBe("Largest deviation…Result…");
     }
   });
 });

@@ -136,20 +136,26 @@ fn a_job_is_made_and_recorded() {
     assert_eq!(ids, [json!(id), json!(format!("{}2", &id[..id.len() - 1]))]);
 }
 
-/// Bends of 30 degrees to one side and the other, so near to each other that the wire lies where the peg comes out for straight wire:
-/// it comes out farther, for a job and for its text.
-#[test]
-fn the_peg_comes_out_beside_wire_that_is_bent_towards_it() {
-    let shop = Shop::cube();
+/// A flat wire that begins with 80 mm along x; then the length of each edge, mm, and its direction from there, degrees.
+fn flat_wire(shop: &Shop, name: &str, edges: &[(f64, f64)]) {
     let mut corners = vec![[0.0, 0.0], [80.0, 0.0]];
-    for (edge, turn) in [(27.0, 30.0_f64), (27.0, 0.0), (27.0, 30.0), (60.0, 0.0)] {
+    for (edge, turn) in edges {
         let [x, y] = corners[corners.len() - 1];
         let (sin, cos) = turn.to_radians().sin_cos();
         corners.push([x + edge * cos, y + edge * sin]);
     }
     let mut lines: Vec<String> = corners.iter().map(|[x, y]| format!("v {x} {y} 0")).collect();
-    lines.push("l 1 2 3 4 5 6\n".to_owned());
-    std::fs::write(shop.path().join("zigzag.obj"), lines.join("\n")).unwrap();
+    let row: Vec<String> = (1..=corners.len()).map(|k| k.to_string()).collect();
+    lines.push(format!("l {}\n", row.join(" ")));
+    std::fs::write(shop.path().join(name), lines.join("\n")).unwrap();
+}
+
+/// Bends of 30 degrees to one side and the other, so near to each other that the wire lies where the peg comes out for straight wire:
+/// it comes out farther, for a job and for its text.
+#[test]
+fn the_peg_comes_out_beside_wire_that_is_bent_towards_it() {
+    let shop = Shop::cube();
+    flat_wire(&shop, "zigzag.obj", &[(27.0, 30.0), (27.0, 0.0), (27.0, 30.0), (60.0, 0.0)]);
     shop.run(&["plan", "zigzag.obj", "-m", "wirebend-kit", "-o", "a.wbjob", "--force"]).ended(0);
     shop.run(&["export", "a.wbjob", "-o", "a.txt"]).ended(0);
     for file in [&["a.wbjob"][..], &["a.txt", "-m", "wirebend-kit"]] {
@@ -168,15 +174,7 @@ fn the_peg_comes_out_beside_wire_that_is_bent_towards_it() {
 #[test]
 fn a_bend_may_end_before_the_axis_is_at_zero() {
     let shop = Shop::cube();
-    let mut corners = vec![[0.0, 0.0], [80.0, 0.0]];
-    for (edge, turn) in [(27.0, 40.0_f64), (80.0, 37.0)] {
-        let [x, y] = corners[corners.len() - 1];
-        let (sin, cos) = turn.to_radians().sin_cos();
-        corners.push([x + edge * cos, y + edge * sin]);
-    }
-    let mut lines: Vec<String> = corners.iter().map(|[x, y]| format!("v {x} {y} 0")).collect();
-    lines.push("l 1 2 3 4\n".to_owned());
-    std::fs::write(shop.path().join("slight.obj"), lines.join("\n")).unwrap();
+    flat_wire(&shop, "slight.obj", &[(27.0, 40.0), (80.0, 37.0)]);
     shop.run(&["plan", "slight.obj", "-m", "wirebend-kit", "-o", "a.wbjob", "--force"]).ended(0);
     let job: Value = serde_json::from_slice(&std::fs::read(shop.path().join("a.wbjob")).unwrap()).unwrap();
     let told = &job["wires"][0]["compensated"][1];
