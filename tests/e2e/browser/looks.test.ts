@@ -14,6 +14,7 @@ const SIZES = [
 ] as const;
 const THEMES = ["dark", "light"] as const;
 const SECTIONS: readonly Section[] = [
+  "parts",
   "trace",
   "edit",
   "check",
