@@ -71,6 +71,7 @@ pub use wirebend_planning::frame::{
 pub use wirebend_planning::generate::{GenerateRequest, GenerateResponse, GeneratedShape};
 pub use wirebend_planning::import::{ImportRequest, ImportResponse};
 pub use wirebend_planning::installation::{DriverFolders, Installation};
+pub use wirebend_planning::job::SimulatedAs;
 pub use wirebend_planning::output::Output;
 pub use wirebend_planning::pauses::{LeftOutPause, StepPause};
 pub use wirebend_planning::plan::{CheckRequest, CheckResponse, PlanRequest, PlanResponse};

@@ -91,6 +91,8 @@ pub enum InputName {
     Resume,
     /// Whether a wire is given up.
     Abandon,
+    /// The bender and the wire that a simulated machine has.
+    SimulatedAs,
     /// What was read of coupons.
     Readings,
     /// The values of a profile.
@@ -146,6 +148,7 @@ impl InputName {
             Self::Moves => "moves",
             Self::Resume => "resuming",
             Self::Abandon => "giving up",
+            Self::SimulatedAs => "simulated bender and wire",
             Self::Readings => "readings",
             Self::ProfileValues => "values",
             Self::ProfileKeys => "keys",

@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_profile::{Kind, Listing, Springback};
+use wirebend_profile::{BendFigures, Kind, Listing, Springback};
 
 use crate::{Installation, PlanningError, Progress};
 
@@ -21,6 +21,8 @@ pub struct MachineEntry {
     pub file: String,
     /// The driver that runs it.
     pub driver: String,
+    /// Whether it bends about a pin by a peg, so that a simulated machine can have its bend head.
+    pub has_peg: bool,
     /// The formats that can be written for it, its default first.
     pub formats: Vec<String>,
     /// Its own format, where only its driver writes it.
@@ -88,6 +90,7 @@ pub fn machines(
         let profile = &machine.profile;
         Ok(MachineEntry {
             driver: profile.driver.id.clone().unwrap_or_default(),
+            has_peg: matches!(figures.bend, BendFigures::Peg { .. }),
             formats: profile.export.formats.clone().unwrap_or_default(),
             native: profile.export.native.clone(),
             default_material: profile.default_material.clone().unwrap_or_default(),

@@ -33,6 +33,8 @@ pub struct Setup {
     /// What the machine's driver said when it was asked for its limits, which `machine` has by now.
     pub driver: Told,
     pub currency: Option<String>,
+    /// Energy that forming a gram of the wire takes, kJ, where its profile says so.
+    pub process_energy_kj_per_g: Option<f64>,
 }
 
 impl crate::Installation {
@@ -99,7 +101,9 @@ impl Setup {
         let wire = material.figures()?;
         let model = model(&machine, &figures, &material, &wire)?;
         let signs = Signs::of(&figures);
-        Ok(Self { machine, material, model, signs, driver: Told::default(), currency: wire.currency })
+        let process_energy_kj_per_g = wire.process_energy_mj_per_kg;
+        let (driver, currency) = (Told::default(), wire.currency);
+        Ok(Self { machine, material, model, signs, driver, currency, process_energy_kj_per_g })
     }
 
     /// The same at a machine that is connected, with what that says of itself.

@@ -929,6 +929,23 @@ export interface ConnectMachine {
    * Where it is; absent, the machine that its driver simulates is taken, if it has one.
    */
   port?: string | null;
+  simulated_as?: SimulatedAs & {
+    [k: string]: unknown;
+  };
+}
+/**
+ * The bender and the wire of a simulated machine where they are others than those that the wire was planned for, so
+ * that they differ from what the profiles say as those of a real machine do.
+ */
+export interface SimulatedAs {
+  /**
+   * Id of the machine whose bend head it has; absent, that of the job.
+   */
+  machine?: string | null;
+  /**
+   * Id of the material of the wire that it bends; absent, that of the job.
+   */
+  material?: string | null;
 }
 /**
  * Writes a profile of the person's own that inherits from another.

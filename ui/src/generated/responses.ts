@@ -589,6 +589,7 @@ export type InputName =
   | "moves"
   | "resume"
   | "abandon"
+  | "simulated-as"
   | "readings"
   | "profile-values"
   | "profile-keys";
@@ -1717,6 +1718,7 @@ export type ErrorCode =
   | "moves"
   | "moves-of-another"
   | "no-answer"
+  | "no-bender"
   | "no-driver"
   | "no-edge"
   | "no-example"
@@ -1751,6 +1753,7 @@ export type ErrorCode =
   | "not-now"
   | "not-of-step"
   | "not-permitted"
+  | "not-simulated"
   | "nothing"
   | "nothing-begun"
   | "nothing-recorded"
@@ -2019,6 +2022,7 @@ export interface MachineState {
    * No machine is there: its driver computes one.
    */
   simulated: boolean;
+  simulated_as: SimulatedAs;
   /**
    * How fast it is, percent of the programmed speed; null where that cannot be changed.
    */
@@ -2207,6 +2211,20 @@ export interface SettingCheck {
    * What it is called, on the machine and for people.
    */
   name: string;
+}
+/**
+ * The bender and the wire of a simulated machine where they are others than those that the wire was planned for, so
+ * that they differ from what the profiles say as those of a real machine do.
+ */
+export interface SimulatedAs {
+  /**
+   * Id of the machine whose bend head it has; absent, that of the job.
+   */
+  machine?: string | null;
+  /**
+   * Id of the material of the wire that it bends; absent, that of the job.
+   */
+  material?: string | null;
 }
 /**
  * A wire that was interrupted and can be resumed.
@@ -4348,14 +4366,29 @@ export interface ClosingFigures {
   von_mises_rms_mpa: number;
 }
 /**
- * What the wires take. Time is energy at the authors' 25 W, and not the time of the machine.
+ * What the wires take, as Table 1 of Bend-Forming has it. Time is energy at the authors' 25 W, and not the time of the machine.
  */
 export interface ResourcesReport {
+  /**
+   * Of all wires.
+   */
+  bends: number;
   /**
    * Null where the material's profile does not say what forming takes.
    */
   energy_kj: number | null;
+  /**
+   * What joins the wires at vertices, g.
+   */
   joints_g: number;
+  /**
+   * Of all wires as designed, mm.
+   */
+  length_mm: number;
+  /**
+   * Wire and joints, g.
+   */
+  mass_g: number;
   time_min: number | null;
   wire_g: number;
 }
@@ -4680,6 +4713,10 @@ export interface MachineEntry {
    * The formats that can be written for it, its default first.
    */
   formats: string[];
+  /**
+   * Whether it bends about a pin by a peg, so that a simulated machine can have its bend head.
+   */
+  has_peg: boolean;
   id: string;
   /**
    * Shortest designed edge, in mm.

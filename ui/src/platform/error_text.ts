@@ -47,6 +47,7 @@ const INPUTS: Readonly<Record<InputName, string>> = {
   "format-settings": "the settings of the format",
   moves: "the moves",
   resume: "resuming",
+  "simulated-as": "the simulated bender and wire",
   abandon: "giving up",
   readings: "the readings",
   "profile-values": "the values",

@@ -58,6 +58,7 @@ export const machineState = (phase: Phase, ...can: OrderName[]): MachineState =>
   machine: "wirebend-kit",
   port: "/dev/ttyACM0",
   simulated: false,
+  simulated_as: { machine: null, material: null },
   identity: null,
   driver: null,
   position: null,

@@ -13,6 +13,7 @@ use crate::{
     Answer, ApiError, ConnectRequest, Input, MachineState, Move, NoProgress, Operator, OperatorError,
     OperatorEvent, Order, Phase, Progress,
 };
+use wirebend_planning::job::SimulatedAs;
 use wirebend_planning::output::Output;
 use wirebend_planning::playback::PlayedWire;
 
@@ -21,6 +22,9 @@ use wirebend_planning::playback::PlayedWire;
 pub struct ConnectMachine {
     /// Where it is; absent, the machine that its driver simulates is taken, if it has one.
     pub port: Option<String>,
+    /// What a simulated machine bends, and with what head, to try a calibration; refused with the first wire of a real one.
+    #[serde(default)]
+    pub simulated_as: SimulatedAs,
 }
 
 /// Says what the connected machine is to do.
@@ -98,7 +102,8 @@ impl Workspace {
         self.let_go();
         let events = Arc::clone(&self.events);
         let hear = move |event: &OperatorEvent| events.emit(&WindowEvent::Operator(Box::new(event.clone())));
-        let request = ConnectRequest { machine, port: asked.port.clone() };
+        let request =
+            ConnectRequest { machine, port: asked.port.clone(), simulated_as: asked.simulated_as.clone() };
         self.put_operator(Some(Arc::new(Operator::connect(app, request, Arc::new(hear)))));
         Ok(self.now())
     }

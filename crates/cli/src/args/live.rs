@@ -74,12 +74,24 @@ pub(crate) struct RunArgs {
     /// Bend wires although settings of the machine are not those of its profile
     #[arg(long)]
     pub accept_settings: bool,
+    #[command(flatten)]
+    pub simulated: SimulatedArgs,
     /// Write the record of the run to this file, too
     #[arg(long, value_name = "FILE")]
     pub record: Option<PathBuf>,
     /// Replace a record that is there
     #[arg(long)]
     pub force: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SimulatedArgs {
+    /// Give the simulated machine the bend head of this machine, not of the one that the job was planned for: to try a calibration
+    #[arg(long, value_name = "ID")]
+    pub simulated_machine: Option<String>,
+    /// Give the simulated machine this wire, not the one that the job was planned for
+    #[arg(long, value_name = "ID")]
+    pub simulated_material: Option<String>,
 }
 
 #[derive(Debug, Args)]

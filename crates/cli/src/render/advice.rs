@@ -263,6 +263,7 @@ const fn option(input: InputName) -> &'static str {
         InputName::Moves => "the moves, such as f 10, r 90, b 45 or home",
         InputName::Resume => "--resume",
         InputName::Abandon => "--abandon",
+        InputName::SimulatedAs => "--simulated-machine and --simulated-material",
         InputName::Readings => "the readings, such as angle-40:1=38.5,39",
         InputName::ProfileValues => "the values, such as bend.orbit_offset_mm=11.6",
         InputName::ProfileKeys => "the keys, such as bend.orbit_offset_mm",

@@ -130,7 +130,12 @@ fn takes(out: &mut impl Write, found: &ResourcesReport) -> std::io::Result<()> {
         (Some(energy), Some(time)) => format!("; {energy:.2} kJ, {time:.1} min at 25 W"),
         _ => String::new(),
     };
-    row(out, "takes", &format!("{:.1} g of wire{energy}", found.wire_g))
+    let joints = match found.joints_g {
+        none if none <= 0.0 => String::new(),
+        joints => format!(" and {joints:.1} g of joints"),
+    };
+    let wire = format!("{:.3} m of wire, {}", found.length_mm / 1000.0, count(found.bends, "bend", "bends"));
+    row(out, "takes", &format!("{wire}, {:.1} g{joints}{energy}", found.wire_g))
 }
 
 pub(super) fn tolerance(out: &mut impl Write, found: &ToleranceResponse) -> std::io::Result<()> {

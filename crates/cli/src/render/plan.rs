@@ -114,6 +114,11 @@ fn wire(out: &mut impl Write, report: &WireReport) -> std::io::Result<()> {
     if !figures.is_empty() {
         line(out, "takes", figures.join(", "))?;
     }
+    if let Some((energy, time)) = report.process_energy_kj.zip(report.process_time_min) {
+        let words =
+            format!("{energy:.2} kJ, {time:.1} min at 25 W, as Bend-Forming counts for forming the wire");
+        line(out, "energy", words)?;
+    }
     if let Some(search) = &report.search {
         let found =
             if search.found { "a program without collisions" } else { "no program without a collision" };

@@ -2,7 +2,7 @@
 
 use wirebend_api::{
     Answers, Command, DryRunRequest, JogRequest, MachineSettingsRequest, Output, PortsRequest, Repeat,
-    ReplayRequest, RunHow, RunRequest, RunsExportRequest, RunsRequest, RunsShowRequest,
+    ReplayRequest, RunHow, RunRequest, RunsExportRequest, RunsRequest, RunsShowRequest, SimulatedAs,
 };
 
 use super::{Prepared, input, place};
@@ -14,7 +14,8 @@ use crate::contents::Contents;
 use crate::usage::WrongUse;
 
 pub(super) fn run(args: RunArgs) -> anyhow::Result<Command> {
-    let RunArgs { what, wire, repeat, stock, resume, abandon, accept_settings, record, force } = args;
+    let RunArgs { what, wire, repeat, stock, resume, abandon, accept_settings, simulated, record, force } =
+        args;
     let ToRunArgs { job, machine, material, despite_errors, at, zero } = what;
     let answers = answers(&at, &zero);
     let wire = wire.map(|wire| wire.get() - 1);
@@ -32,6 +33,10 @@ pub(super) fn run(args: RunArgs) -> anyhow::Result<Command> {
         wire,
         repeat: Repeat { pieces: repeat, stock_mm: stock },
         how,
+        simulated_as: SimulatedAs {
+            machine: simulated.simulated_machine,
+            material: simulated.simulated_material,
+        },
         answers,
         accept_settings,
         record: record.map(|path| Output { path, force }),

@@ -324,3 +324,24 @@ fn a_person_reads_what_the_frame_does() {
     assert!(said.err.contains("  displacement       0.4272 mm at vertex "), "{}", said.err);
     assert!(said.err.contains(", 13.8 g; held at "), "{}", said.err);
 }
+
+/// Table 1 of Bend-Forming, from the scripts that its authors bent: length, bends and mass; energy and time by its factors.
+#[test]
+fn the_authors_scripts_take_what_table_1_has() {
+    let machine = ["--machine", "pensa-diwire-pro", "--material", "steel-0-9mm", "--keep-order", "--json"];
+    let closing = ["--supports", "free", "--close", "--errors", "bend-forming", "--runs", "1"];
+    for (script, weld, length_m, bends, wire_g) in [
+        ("AccuracyTest_TetraTruss.txt", "0.5", 5.589, 79, 27.7),
+        ("isogrid_prototype.txt", "0.5", 27.362, 271, 135.8),
+    ] {
+        let script = data(&format!("bend-forming/{script}"));
+        let found = frame(&script, &[&machine[..], &["--weld", weld], &closing].concat()).ended(0).json();
+        let takes = &found["resources"];
+        near(&takes["length_mm"], 1000.0 * length_m, 1e-3);
+        assert_eq!(takes["bends"], bends, "{script}");
+        near(&takes["wire_g"], wire_g, 2e-3);
+        let mass = takes["mass_g"].as_f64().unwrap();
+        near(&takes["energy_kj"], 0.33 * mass, 1e-9);
+        near(&takes["time_min"], 0.33 * mass * 1000.0 / 25.0 / 60.0, 1e-9);
+    }
+}

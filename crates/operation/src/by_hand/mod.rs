@@ -26,6 +26,7 @@ pub use wire::WireByHand;
 use wirebend_error::ProblemReport;
 use wirebend_planning::Installation;
 use wirebend_planning::design::Input;
+use wirebend_planning::job::SimulatedAs;
 use wirebend_planning::output::Output;
 use wirebend_planning::report::NoteReport;
 
@@ -171,6 +172,7 @@ pub fn dry_run(
         wire,
         repeat: Repeat::default(),
         how: RunHow::Begin,
+        simulated_as: SimulatedAs::default(),
         answers,
         accept_settings,
         record: None,

@@ -164,6 +164,9 @@ pub enum LiveProblem {
         /// What was asked for.
         input: InputName,
     },
+    /// A real machine was to be simulated.
+    #[error("the machine at {port} is a real one: its bender and its wire are what they are")]
+    NotSimulated { port: String },
     /// A person has to look at the wire.
     #[error("{doubt}")]
     InDoubt {

@@ -23,6 +23,7 @@ impl LiveProblem {
             | Self::SeveralUnfinished { .. }
             | Self::WireInMachine { .. }
             | Self::NothingBegun { .. }
+            | Self::NotSimulated { .. }
             | Self::InDoubt { .. }
             | Self::OtherStep { .. }
             | Self::NotCounted { .. }
@@ -80,6 +81,7 @@ impl LiveProblem {
             Self::Unfinished { .. } | Self::WireInMachine { .. } => ErrorCode::Unfinished,
             Self::DamagedJournal { .. } => ErrorCode::JournalDamaged,
             Self::SeveralUnfinished { .. } => ErrorCode::SeveralUnfinished,
+            Self::NotSimulated { .. } => ErrorCode::NotSimulated,
             Self::NothingBegun { .. } => ErrorCode::NothingBegun,
             Self::InDoubt { .. } => ErrorCode::InDoubt,
             Self::OtherStep { .. } => ErrorCode::OtherStep,

@@ -1,6 +1,6 @@
 //! What can be done about a problem with a machine.
 
-use wirebend_error::ErrorRemedy as R;
+use wirebend_error::{ErrorRemedy as R, InputName};
 
 use super::live::after_hard_stop;
 use super::{HeadProblem, LiveProblem};
@@ -39,6 +39,7 @@ impl LiveProblem {
                 vec![R::ResumeRun { run: run.clone() }, R::AbandonRun { run: run.clone() }]
             }
             Self::DamagedJournal { run, .. } => vec![R::AbandonRun { run: run.clone() }],
+            Self::NotSimulated { .. } => vec![R::LeaveOut { inputs: vec![InputName::SimulatedAs] }],
             Self::NothingBegun { input } => vec![R::LeaveOut { inputs: vec![*input] }],
             Self::InDoubt { doubt, run } => {
                 vec![R::AnswerDoubt { run: run.clone(), step: doubt.step, counted: doubt.counted.is_some() }]

@@ -109,12 +109,12 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::operator::MachineState;
+    use crate::operator::{ConnectRequest, MachineState};
 
     /// Were it a no, a journal would say that a person has taken back what they said of a step.
     #[test]
     fn a_stop_takes_nothing_back_that_was_said_before() {
-        let state = MachineState::connecting("kit".to_owned(), None);
+        let state = MachineState::connecting(ConnectRequest::simulated("kit"));
         let shared = Shared::new(state, Arc::new(|_: &OperatorEvent| {}));
         let asked = |answer: &dyn Fn()| {
             std::thread::scope(|scope| {

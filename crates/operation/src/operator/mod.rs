@@ -40,6 +40,7 @@ pub use unfinished::Unfinished;
 use wirebend_error::ProblemReport;
 use wirebend_planning::Input;
 use wirebend_planning::Installation;
+use wirebend_planning::job::SimulatedAs;
 use wirebend_planning::output::Output;
 use wirebend_planning::text::shown;
 
@@ -54,6 +55,17 @@ pub struct ConnectRequest {
     /// Where it is; absent, the machine that its driver simulates is taken, if it has one.
     #[serde(default)]
     pub port: Option<String>,
+    /// What a simulated machine bends, and with what head; refused with the first wire of a real one.
+    #[serde(default)]
+    pub simulated_as: SimulatedAs,
+}
+
+impl ConnectRequest {
+    /// The machine that the driver of this one simulates.
+    #[must_use]
+    pub fn simulated(machine: &str) -> Self {
+        Self { machine: machine.to_owned(), port: None, simulated_as: SimulatedAs::default() }
+    }
 }
 
 /// A machine that stays connected. Dropping it stops what moves, and closes the port.
@@ -78,7 +90,7 @@ impl Operator {
         request: ConnectRequest,
         listener: Arc<dyn OperatorListener>,
     ) -> Self {
-        let state = MachineState::connecting(request.machine.clone(), request.port.clone());
+        let state = MachineState::connecting(request.clone());
         let shared = Arc::new(Shared::new(state, listener));
         let machine = request.machine.clone();
         let (of_thread, at) = (Arc::clone(&app), Arc::clone(&shared));

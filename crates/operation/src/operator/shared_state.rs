@@ -146,12 +146,12 @@ impl SharedState {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::operator::{Question, QuestionKind};
+    use crate::operator::{ConnectRequest, Question, QuestionKind};
 
     /// Were a yes of before to count, a machine would move because of what was said before it was stopped.
     #[test]
     fn a_question_that_is_withdrawn_is_answered_with_no() {
-        let mut kept = SharedState::new(MachineState::connecting("kit".to_owned(), None));
+        let mut kept = SharedState::new(MachineState::connecting(ConnectRequest::simulated("kit")));
         kept.withdraw();
         assert_eq!(kept.answer, None, "nobody is asked");
         kept.state.question = Some(Question {

@@ -7,11 +7,13 @@ use wirebend_driver_host::jobs::Piece;
 use wirebend_driver_host::{OrderName, Phase, RefusedOrder, WireProgress};
 use wirebend_error::ProblemReport;
 
+use super::ConnectRequest;
 use super::question::Question;
 use super::unfinished::Unfinished;
 use crate::MachineEvent;
 use crate::run::Task;
 use wirebend_planning::JobStep;
+use wirebend_planning::job::SimulatedAs;
 
 /// How a machine and its operator stand.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -28,6 +30,8 @@ pub struct MachineState {
     pub port: Option<String>,
     /// No machine is there: its driver computes one.
     pub simulated: bool,
+    /// What it simulates where that is not what its profile says.
+    pub simulated_as: SimulatedAs,
     /// What it says that it is.
     pub identity: Option<String>,
     pub driver: Option<String>,
@@ -123,7 +127,7 @@ impl WireState {
 }
 
 impl MachineState {
-    pub(super) fn connecting(machine: String, port: Option<String>) -> Self {
+    pub(super) fn connecting(ConnectRequest { machine, port, simulated_as }: ConnectRequest) -> Self {
         Self {
             phase: Phase::Connecting,
             may_move: false,
@@ -132,6 +136,7 @@ impl MachineState {
             machine,
             port,
             simulated: false,
+            simulated_as,
             identity: None,
             driver: None,
             position: None,

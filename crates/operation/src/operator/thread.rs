@@ -19,6 +19,7 @@ use crate::error::OperatorError;
 use crate::live::{At, Connection, HEAD_QUESTION, Unnamed, await_standstill, connect, refused};
 use crate::order::{Answer, Order};
 use crate::{LiveProblem, OperationError};
+use wirebend_planning::job::SimulatedAs;
 use wirebend_planning::signs::Signs;
 use wirebend_planning::{Input, Installation};
 
@@ -37,6 +38,7 @@ pub(super) struct OperatorThread<'a> {
     pub signs: Signs,
     /// The port that was named.
     pub named: Option<String>,
+    pub simulated_as: SimulatedAs,
     pub connection: Option<Connection<'a>>,
     /// Keeps a board from being reset between two connections.
     pub line: Option<StopLine>,
@@ -78,6 +80,7 @@ pub(super) fn run(app: &Installation, shared: &Shared, request: &ConnectRequest)
         machine,
         signs,
         named: request.port.clone(),
+        simulated_as: request.simulated_as.clone(),
         connection: None,
         line: None,
         jog_permit: None,

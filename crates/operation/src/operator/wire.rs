@@ -191,6 +191,7 @@ impl<'a> OperatorThread<'a> {
             wire: Some(wire),
             repeat,
             how,
+            simulated_as: self.simulated_as.clone(),
             answers: Answers::default(),
             accept_settings,
             record: None,

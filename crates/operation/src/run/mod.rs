@@ -23,6 +23,7 @@ pub use report::{LeftBecause, RunOutcome, RunResponse, StoppedIn, WireRun};
 pub use task::Task;
 use wirebend_planning::Installation;
 use wirebend_planning::design::Input;
+use wirebend_planning::job::SimulatedAs;
 use wirebend_planning::output::Output;
 
 /// What to run. Nothing moves unless the user confirms it: here, or when they are asked.
@@ -50,6 +51,9 @@ pub struct RunRequest {
     /// Whether to begin, to resume, or to give up.
     #[serde(default)]
     pub how: RunHow,
+    /// What a simulated machine bends, and with what head; refused for a real one.
+    #[serde(default)]
+    pub simulated_as: SimulatedAs,
     #[serde(flatten)]
     pub answers: Answers,
     /// Whether to bend wires although the machine's settings are not those of its profile.

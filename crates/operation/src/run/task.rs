@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::path::Path;
 
-use wirebend_driver_host::api::DoneBy;
+use wirebend_driver_host::api::{Bench, DoneBy};
 use wirebend_driver_host::jobs::{
     Clock, Entry, EntryKind, Heading, Journal, JournalError, Part, Record, SystemClock, WireJob,
 };
@@ -21,7 +21,7 @@ use crate::runs::{RunsFolder, StoredRun, record_bytes};
 use crate::{LiveProblem, OperationError};
 use wirebend_planning::as_given::{GivenWires, ProgramMachine, job_of_file};
 use wirebend_planning::design::Input;
-use wirebend_planning::job::work;
+use wirebend_planning::job::{SimulatedAs, work};
 use wirebend_planning::machine::{Setup, accepted_errors, restored};
 use wirebend_planning::output::Output;
 use wirebend_planning::report::NoteReport;
@@ -35,6 +35,8 @@ pub struct Task<'a> {
     pub file: String,
     pub job: Job,
     pub setup: Setup,
+    /// What a simulated machine is told where that is not what the wire was planned for.
+    pub bench: Option<Bench>,
     pub folder: RunsFolder,
     pub clock: SystemClock,
     pub pieces: Cell<Pieces>,
@@ -53,6 +55,8 @@ impl<'a> Task<'a> {
         let job = job_of_file(app, &file, &bytes, of)?;
         let setup = restored(&file, job.contents())?;
         require_feasible(&file, &job, &setup, &request)?;
+        let simulated = &request.simulated_as;
+        let bench = if simulated.is_as_planned() { None } else { Some(simulated.bench(app, &setup)?) };
         let count = job.contents().wires.len();
         if let Some(wire) = request.wire.filter(|&wire| wire >= count) {
             return Err(LiveProblem::NoWire { wire, count }.into());
@@ -60,7 +64,7 @@ impl<'a> Task<'a> {
         let folder = RunsFolder::of(app)?;
         let pieces = Cell::new(Pieces::new(request.repeat)?);
         let clock = SystemClock::default();
-        let task = Self { app, request, progress, file, job, setup, folder, clock, pieces };
+        let task = Self { app, request, progress, file, job, setup, bench, folder, clock, pieces };
         for wire in task.wanted() {
             task.pieces.get().require_enough(task.wire(wire)?)?;
             for piece in 1..=task.request.repeat.pieces {
@@ -89,7 +93,14 @@ impl<'a> Task<'a> {
     /// A wire for the machine that is connected: in the time that it takes there.
     pub fn work(&self, wire: usize, connection: &Connection) -> Result<WireJob, OperationError> {
         let setup = self.setup.at(&connection.board())?;
-        Ok(work(&setup, &self.job, &self.request.job.stem(), wire)?)
+        let mut work = work(&setup, &self.job, &self.request.job.stem(), wire)?;
+        if let Some(bench) = &self.bench {
+            if connection.session.simulated().is_none() {
+                return Err(LiveProblem::NotSimulated { port: connection.port.clone() }.into());
+            }
+            work.run.bench = Some(Box::new(bench.clone()));
+        }
+        Ok(work)
     }
 
     /// Refuses a wire that could not be finished; what is before step `from`, counted from 1, is done.
@@ -142,9 +153,27 @@ impl<'a> Task<'a> {
             left: Vec::new(),
             left_because: None,
             pieces: self.pieces.get().report(),
-            notes: accepted_errors(self.job.contents()),
+            notes: self.notes(),
             files: Vec::new(),
         }
+    }
+
+    /// What a person should know of the job and of what is simulated.
+    fn notes(&self) -> Vec<NoteReport> {
+        let mut notes = accepted_errors(self.job.contents());
+        let SimulatedAs { machine, material } = &self.request.simulated_as;
+        let head = machine.as_ref().map(|id| format!("the bend head of '{id}'"));
+        let wire = material.as_ref().map(|id| format!("the wire '{id}'"));
+        let of = [head, wire].into_iter().flatten().collect::<Vec<_>>();
+        if !of.is_empty() {
+            let (of, planned) = (of.join(" and "), (self.setup.machine_id(), self.setup.material_id()));
+            let message = format!(
+                "the simulated machine has {of}; the job was planned for '{}' with '{}'",
+                planned.0, planned.1
+            );
+            notes.push(NoteReport { code: "simulated-as".into(), count: 1, message, remedies: Vec::new() });
+        }
+        notes
     }
 
     /// A wire that nothing was done to this time.

@@ -11,6 +11,7 @@ use wirebend_operation::{
     Answer, Answers, ConnectRequest, Decided, MachineState, OperationError, Operator, OperatorEvent, Order,
     Phase, Question, Record, Repeat, RunHow, RunRequest, RunResponse,
 };
+use wirebend_planning::job::SimulatedAs;
 use wirebend_planning::pauses::StepPause;
 use wirebend_planning::plan::PlanRequest;
 use wirebend_planning::{DesignInput, DriverFolders, Input, Installation, NoProgress, PlanChoices};
@@ -126,6 +127,7 @@ impl Shop {
             wire: None,
             repeat: Repeat::default(),
             how,
+            simulated_as: SimulatedAs::default(),
             answers: Answers { confirmed: true, ..Answers::default() },
             accept_settings: false,
             record: None,
@@ -149,7 +151,7 @@ impl Shop {
 
     pub fn connect(&self, machine: &str, port: Option<&str>) -> Seat {
         let (sender, events) = channel();
-        let request = ConnectRequest { machine: machine.to_owned(), port: port.map(str::to_owned) };
+        let request = ConnectRequest { port: port.map(str::to_owned), ..ConnectRequest::simulated(machine) };
         let listener = move |event: &OperatorEvent| drop(sender.send(event.clone()));
         let operator = Operator::connect(Arc::clone(&self.app), request, Arc::new(listener));
         Seat { operator, events }

@@ -54,6 +54,7 @@ impl PlanningError {
             | Self::UnknownFormat { .. }
             | Self::NoSettings { .. }
             | Self::OtherMachine { .. }
+            | Self::NoBender { .. }
             | Self::FormatOfAnother { .. }
             | Self::Settled { .. }
             | Self::ClosedWires { .. }
@@ -133,6 +134,7 @@ impl PlanningError {
             Self::NoSettings { .. } => ErrorCode::NoSettings,
             Self::Driver(problem) => problem.code(),
             Self::OtherMachine { .. } => ErrorCode::OtherMachine,
+            Self::NoBender { .. } => ErrorCode::NoBender,
             Self::FormatOfAnother { .. } => ErrorCode::FormatOfAnother,
             Self::Settled { .. } => ErrorCode::Settled,
             Self::ClosedWires { .. } => ErrorCode::ClosedWires,

@@ -278,6 +278,9 @@ pub enum PlanningError {
         planned: String,
         wanted: String,
     },
+    /// No machine can be simulated as this one.
+    #[error("machine '{machine}' has no pin and peg: no machine can be simulated as it")]
+    NoBender { machine: String },
     /// A format cannot hold this wire.
     #[error("wire {} cannot be written as {format}: {reason}", .wire + 1)]
     Unwritable {

@@ -88,6 +88,7 @@ impl PlanningError {
                 let leave_out = |input| R::LeaveOut { inputs: vec![input] };
                 [InputName::Closed, InputName::Wires].map(leave_out).into()
             }
+            Self::NoBender { .. } => vec![R::LeaveOut { inputs: vec![InputName::SimulatedAs] }],
             Self::OtherMachine { wanted, .. } => vec![R::PlanForMachine { machine: Some(wanted.clone()) }],
             Self::Unwritable { .. } => vec![R::ExportAs { form: "template-svg or template-dxf".to_owned() }],
             Self::StageNotReached { .. } => vec![R::FixFindings],

@@ -70,11 +70,18 @@ pub struct ClosingRuns {
     pub sd: Option<ClosingFigures>,
 }
 
-/// What the wires take. Time is energy at the authors' 25 W, and not the time of the machine.
+/// What the wires take, as Table 1 of Bend-Forming has it. Time is energy at the authors' 25 W, and not the time of the machine.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct ResourcesReport {
+    /// Of all wires as designed, mm.
+    pub length_mm: f64,
+    /// Of all wires.
+    pub bends: usize,
     pub wire_g: f64,
+    /// What joins the wires at vertices, g.
     pub joints_g: f64,
+    /// Wire and joints, g.
+    pub mass_g: f64,
     /// Null where the material's profile does not say what forming takes.
     pub energy_kj: Option<f64>,
     pub time_min: Option<f64>,
@@ -136,8 +143,11 @@ impl Installation {
             runs: (choice.runs > 0).then_some(choice.runs),
             of_runs,
             resources: Some(ResourcesReport {
+                length_mm: wires.length.mm(),
+                bends: wires.bends,
                 wire_g: used.wire_g,
                 joints_g: used.joints_g,
+                mass_g: used.mass_g(),
                 energy_kj,
                 time_min: energy_kj.map(Resources::time_min),
             }),

@@ -23,6 +23,8 @@ pub(super) struct Wires {
     pub surface: Surface,
     /// Of all wires.
     pub length: Length,
+    /// Of all wires.
+    pub bends: usize,
     /// What joints at vertices weigh, g.
     pub joints_g: f64,
     pub notes: Vec<NoteReport>,
@@ -66,7 +68,8 @@ impl Installation {
             .fold(0.0, |sum, joint| sum + joint.mass_g);
         let notes = planned.opened.notes.into_iter().skip(before).collect();
         let length = wires.iter().map(|wire| wire.program.length()).sum();
-        Ok(Wires { material, model, surface, length, joints_g, notes, name })
+        let bends = wires.iter().map(|wire| wire.program.bend_count()).sum();
+        Ok(Wires { material, model, surface, length, bends, joints_g, notes, name })
     }
 }
 

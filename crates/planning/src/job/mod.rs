@@ -14,7 +14,7 @@ use crate::error::PlanningError;
 pub use collisions::JobCollisions;
 pub(crate) use collisions::scheduled;
 pub use driver::{Stages, job};
-pub use work::{opened, work};
+pub use work::{SimulatedAs, opened, work};
 
 /// Whether bytes are a job: by name, or by the mark that every job has near its start.
 pub fn is_job(name: &str, bytes: &[u8]) -> bool {

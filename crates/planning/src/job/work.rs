@@ -2,12 +2,14 @@
 
 use std::time::Duration;
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use wirebend_core::compensate::CompensatedProgram;
 use wirebend_driver_host::api::{self, Bench, BenchBender, BenchWire};
 use wirebend_driver_host::jobs::{PauseAfter, WireJob};
 use wirebend_driver_host::{HostError, OpenDriver};
 use wirebend_files::document::{Job, JobPause, JobWire};
-use wirebend_profile::{BendFigures, MachineProfile};
+use wirebend_profile::{BendFigures, MachineProfile, MaterialProfile, Resolved};
 
 use crate::machine::{Setup, told_steps};
 use crate::{DriverProblem, Installation, PlanningError};
@@ -21,6 +23,36 @@ pub fn opened(app: &Installation, profile: &MachineProfile) -> Result<OpenDriver
         other => DriverProblem::Host(other),
     })?;
     Ok(open)
+}
+
+/// The bender and the wire of a simulated machine where they are others than those that the wire was planned for, so
+/// that they differ from what the profiles say as those of a real machine do.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SimulatedAs {
+    /// Id of the machine whose bend head it has; absent, that of the job.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub machine: Option<String>,
+    /// Id of the material of the wire that it bends; absent, that of the job.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub material: Option<String>,
+}
+
+impl SimulatedAs {
+    /// Whether nothing is other than in the job.
+    #[must_use]
+    pub const fn is_as_planned(&self) -> bool {
+        self.machine.is_none() && self.material.is_none()
+    }
+
+    /// What the simulated machine is told.
+    pub fn bench(&self, app: &Installation, planned: &Setup) -> Result<Bench, PlanningError> {
+        let machine = self.machine.as_deref().map(|id| app.library.machine(id)).transpose()?;
+        let material = self.material.as_deref().map(|id| app.library.material(id)).transpose()?;
+        let machine = machine.as_ref().unwrap_or(&planned.machine);
+        let bench = bench(machine, material.as_ref().unwrap_or(&planned.material))?;
+        bench.ok_or_else(|| PlanningError::NoBender { machine: machine.profile.id.clone() })
+    }
 }
 
 /// One wire of a job, for the loop that runs it.
@@ -38,7 +70,7 @@ pub fn work(setup: &Setup, job: &Job, name: &str, index: usize) -> Result<WireJo
         stock_mm: Some(wire.stock_mm),
         wire: index,
         steps: u32::try_from(steps.len()).map_err(|_| damaged("it has too many steps"))?,
-        bench: bench(setup)?.map(Box::new),
+        bench: bench(&setup.machine, &setup.material)?.map(Box::new),
         ..api::Run::default()
     };
     let pause = |JobPause { after, note }: &JobPause| PauseAfter { after: *after, note: note.clone() };
@@ -55,8 +87,11 @@ fn estimates(setup: &Setup, wire: &JobWire) -> Result<Vec<Duration>, PlanningErr
 }
 
 /// What a simulated machine has to know; `None` for a machine without a pin and a peg that go about the wire.
-fn bench(setup: &Setup) -> Result<Option<Bench>, PlanningError> {
-    let (machine, wire) = (setup.machine.figures()?, setup.material.figures()?);
+fn bench(
+    machine: &Resolved<MachineProfile>,
+    material: &Resolved<MaterialProfile>,
+) -> Result<Option<Bench>, PlanningError> {
+    let (machine, wire) = (machine.figures()?, material.figures()?);
     let BendFigures::Peg { rod_radius_mm, orbit_radius_mm, orbit_offset_mm, axis_limit_deg, .. } =
         machine.bend
     else {

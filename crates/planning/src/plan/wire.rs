@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use wirebend_core::accuracy::Resources;
 use wirebend_core::plan::WirePlan;
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{EdgeId, Wireframe};
@@ -30,6 +31,9 @@ impl WireReport {
             edges.map(|edge| wireframe.edge_length(edge)).sum()
         };
         let doubled = plan.doubled_length(wireframe);
+        let formed = fed.map(|fed| Resources { wire_g: wire.mass_g(fed), joints_g: 0.0 });
+        let process_energy_kj =
+            formed.zip(setup.process_energy_kj_per_g).map(|(used, each)| used.energy_kj(each));
         Self {
             wireframe: WireframeReport {
                 vertices: plan.component.vertices.len(),
@@ -71,6 +75,8 @@ impl WireReport {
             currency: setup.currency.clone(),
             mass_g: fed.map(|fed| wire.mass_g(fed)),
             stock_mass_g: plan.stock.map(|stock| wire.mass_g(stock)),
+            process_energy_kj,
+            process_time_min: process_energy_kj.map(Resources::time_min),
             timings_ms,
         }
     }

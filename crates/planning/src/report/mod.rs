@@ -171,6 +171,12 @@ pub struct WireReport {
     pub mass_g: Option<f64>,
     /// Mass of the stock, in g.
     pub stock_mass_g: Option<f64>,
+    /// Energy that forming the fed wire takes as its material's profile has it, kJ: Bend-Forming's figure. Absent where it has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub process_energy_kj: Option<f64>,
+    /// That energy at the authors' 25 W, min: not the time of the machine, which is `time_s`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub process_time_min: Option<f64>,
     /// What each stage took, in ms.
     pub timings_ms: BTreeMap<&'static str, f64>,
 }

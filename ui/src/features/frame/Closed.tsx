@@ -1,8 +1,38 @@
-import type { FrameShown } from "../../generated/responses";
+import type { FrameShown, ResourcesReport } from "../../generated/responses";
 import { number } from "../../shared/figures/format";
-import { useUnit } from "../../shared/figures/unit";
+import { useLengths, useUnit } from "../../shared/figures/unit";
 import { Part } from "../panel/Section";
 import { displacement, force, stress } from "./words";
+
+/** What the wires take, as Bend-Forming compares machines. */
+function Takes({ resources }: { readonly resources: ResourcesReport }) {
+  const { long } = useLengths();
+  const { length_mm, bends, wire_g, joints_g, energy_kj, time_min } = resources;
+  const rows: readonly (readonly [string, string, string])[] = [
+    ["Length", long(length_mm), ""],
+    ["Bends", number(bends, 0), ""],
+    ["Mass", `${number(wire_g + joints_g, 1)} g`, joints_g > 0 ? `${number(joints_g, 1)} g of joints` : ""],
+    ...(energy_kj == null || time_min == null
+      ? []
+      : ([
+          ["Energy", `${number(energy_kj, 2)} kJ`, ""],
+          ["Time at 25 W", `${number(time_min, 1)} min`, "not of your machine"],
+        ] as const)),
+  ];
+  return (
+    <table className="figures" aria-label="What it takes">
+      <tbody>
+        {rows.map(([what, value, more]) => (
+          <tr key={what}>
+            <td>{what}</td>
+            <td>{value}</td>
+            <td className="muted">{more}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
 
 /** Figures of the closed frame, over all wires that were drawn; as made and as closed of the first of them. */
 export function Closed({ shown }: { readonly shown: FrameShown }) {
@@ -41,15 +71,9 @@ export function Closed({ shown }: { readonly shown: FrameShown }) {
               <td className="muted">{spread}</td>
             </tr>
           ))}
-          {resources && (
-            <tr>
-              <td>Wire</td>
-              <td>{number(resources.wire_g, 1)} g</td>
-              <td />
-            </tr>
-          )}
         </tbody>
       </table>
+      {resources && <Takes resources={resources} />}
       {first && (
         <table className="figures" aria-label="The first wire">
           <thead>

@@ -1,4 +1,5 @@
 import { useEffect, useState } from "react";
+import type { SimulatedAs } from "../../generated/requests";
 import { errorText } from "../../platform/error_text";
 import { Button } from "../../shared/controls/Button";
 import { Field } from "../../shared/controls/Field";
@@ -10,6 +11,7 @@ import { useRunMachine } from "../../state/program/run_file";
 import { guess, portPhrase } from "./phrases";
 import { Ended } from "./records/Ended";
 import { interruptedPhrase } from "./records/records";
+import { Simulated } from "./Simulated";
 
 /** Choosing a port, and connecting: the first time, or again after the machine has failed. */
 export function Connect() {
@@ -18,9 +20,11 @@ export function Connect() {
   const unit = useUnit();
   const interrupted = interruptedPhrase(runs, unit);
   const [chosen, setChosen] = useState<string | null>(null);
+  const [as, setAs] = useState<SimulatedAs>({});
   useEffect(() => {
     if (machine) void loadPorts();
     setChosen(null);
+    setAs({});
   }, [machine]);
   const known = ports ?? [];
   const port = known.find(({ name }) => name === chosen)?.name ?? guess(known);
@@ -79,6 +83,7 @@ export function Connect() {
           </span>
         )}
       </Field>
+      {simulated && machine && <Simulated machine={machine} as={as} onChoose={setAs} />}
       {portProblem && (
         <ul>
           <Line
@@ -89,7 +94,7 @@ export function Connect() {
         </ul>
       )}
       <div className="row end">
-        <Button kind="primary" why={why} onClick={() => void connect(port)}>
+        <Button kind="primary" why={why} onClick={() => void connect(port, simulated ? as : {})}>
           {again ? "Connect again" : "Connect"}
         </Button>
       </div>

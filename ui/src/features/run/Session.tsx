@@ -6,6 +6,7 @@ import { order } from "../../state/machine/run";
 import { useRunFile, useRunMachine } from "../../state/program/run_file";
 import { buttons, doingPhrase } from "./buttons";
 import { Fault } from "./Fault";
+import { simulatedPhrase } from "./phrases";
 import { useProspect } from "./prospect";
 
 /** Which machine is connected, how it stands, homing, and disconnecting. */
@@ -21,7 +22,7 @@ export function Session({ state }: { readonly state: MachineState }) {
       <div className="run-state" role="status">
         <span className={`run-phase ${state.phase}`}>{doingPhrase(state)}</span>
         <span className="muted">
-          {name(state.machine)} · {state.simulated ? "simulated" : (state.port ?? "")}
+          {name(state.machine)} · {state.simulated ? simulatedPhrase(state.simulated_as, name) : (state.port ?? "")}
         </span>
         <span className="muted small" title={state.identity ?? undefined}>
           {state.identity}

@@ -66,7 +66,7 @@ function actsFor({ remedy }: ErrorRemedy, state: MachineState, all: RunButtons):
           label: "Connect again",
           consequence: "This connection is closed, and another one made. Nothing moves.",
           why: null,
-          run: () => void connect(state.port),
+          run: () => void connect(state.port, state.simulated_as),
         },
       ];
     case "start-or-disarm":

@@ -1,5 +1,6 @@
 /** What is said of ports, wires and moves. */
 
+import type { SimulatedAs } from "../../generated/requests";
 import type { PortEntry } from "../../generated/responses";
 import { errorText } from "../../platform/error_text";
 import { angle, type DisplayUnit, deviation, length, time } from "../../shared/figures/format";
@@ -93,4 +94,12 @@ export function movePhrase(move: Move, unit: DisplayUnit): string {
     case "bend":
       return `Bend ${angle(move.deg)}`;
   }
+}
+
+/** What is simulated, where that is not what the profile says. */
+export function simulatedPhrase({ machine, material }: SimulatedAs, name: (id: string) => string): string {
+  const head = machine ? `the bend head of ${name(machine)}` : null;
+  const wire = material ? `the wire ${material}` : null;
+  const of = [head, wire].filter((each) => each !== null);
+  return of.length > 0 ? `simulated, with ${of.join(" and ")}` : "simulated";
 }

@@ -1,4 +1,5 @@
 import { create } from "zustand";
+import type { SimulatedAs } from "../../generated/requests";
 import type { MachineNow, PortEntry, RunEntry } from "../../generated/responses";
 import { platform } from "../../platform";
 import { errorText } from "../../platform/error_text";
@@ -208,10 +209,10 @@ async function ordered(asked: Promise<MachineNow>): Promise<boolean> {
   return now !== null;
 }
 
-/** `port` null: the simulated machine. */
-export function connect(port: string | null): Promise<boolean> {
+/** `port` null: the simulated machine. `simulatedAs`: what that one has instead of what its profile says. */
+export function connect(port: string | null, simulatedAs: SimulatedAs = {}): Promise<boolean> {
   useRun.setState({ ended: null, recorded: [] });
-  return ordered(asking("connect", { port }));
+  return ordered(asking("connect", { port, simulated_as: { ...simulatedAs } }));
 }
 
 export function order(what: Order): Promise<boolean> {

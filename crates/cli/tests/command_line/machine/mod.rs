@@ -22,6 +22,8 @@ mod runs;
 #[cfg(target_os = "linux")]
 mod silent;
 #[cfg(target_os = "linux")]
+mod simulated_as;
+#[cfg(target_os = "linux")]
 mod still_moving;
 #[cfg(target_os = "linux")]
 mod stop;

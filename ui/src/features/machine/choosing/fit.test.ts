@@ -23,6 +23,7 @@ const machine: MachineEntry = {
   shipped: true,
   file: "",
   driver: "kit",
+  has_peg: true,
   formats: [],
   native: null,
   default_material: "aluminium",
