@@ -16,17 +16,19 @@ export function Session({ state }: { readonly state: MachineState }) {
   const machines = useMachines((store) => store.machines);
   const all = buttons(state, useProspect());
   const name = (id: string | null) => machines?.find((machine) => machine.id === id)?.name ?? id ?? "none";
+  const simulated = simulatedPhrase(state.simulated_as, name);
   const other = designed !== state.machine;
   return (
     <div className="stack">
       <div className="run-state" role="status">
         <span className={`run-phase ${state.phase}`}>{doingPhrase(state)}</span>
         <span className="muted">
-          {name(state.machine)} · {state.simulated ? simulatedPhrase(state.simulated_as, name) : (state.port ?? "")}
+          {name(state.machine)} · {state.simulated ? "simulated" : (state.port ?? "")}
         </span>
         <span className="muted small" title={state.identity ?? undefined}>
           {state.identity}
         </span>
+        {simulated && <span className="muted small">{simulated}</span>}
       </div>
       <Fault state={state} all={all} />
       {other && (

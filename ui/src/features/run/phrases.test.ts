@@ -1,7 +1,15 @@
 import { describe, expect, it } from "vitest";
 import type { PortEntry } from "../../generated/responses";
 import type { Unfinished, WireRun, WireState } from "../../state/machine/operator";
-import { endedPhrase, guess, movePhrase, portPhrase, progressPhrase, unfinishedPhrase } from "./phrases";
+import {
+  endedPhrase,
+  guess,
+  movePhrase,
+  portPhrase,
+  progressPhrase,
+  simulatedPhrase,
+  unfinishedPhrase,
+} from "./phrases";
 
 const port = (name: string, given: Partial<PortEntry> = {}): PortEntry => ({
   name,
@@ -14,6 +22,17 @@ const port = (name: string, given: Partial<PortEntry> = {}): PortEntry => ({
 });
 const SIM = port("sim", { simulated: true, description: "simulated machine, in real time" });
 const UNO = port("/dev/ttyACM0", { description: "Arduino Uno", likely_for: ["wirebend-kit"] });
+
+describe("a simulated machine", () => {
+  it("is named by what it has that its profile does not", () => {
+    const name = (id: string) => `“${id}”`;
+    expect(simulatedPhrase({}, name)).toBeNull();
+    expect(simulatedPhrase({ machine: "kit" }, name)).toBe("simulated with the bend head of “kit”");
+    expect(simulatedPhrase({ machine: "kit", material: "steel" }, name)).toBe(
+      "simulated with the bend head of “kit” and the wire steel",
+    );
+  });
+});
 
 describe("ports", () => {
   it("says what is there, and which is probably meant", () => {

@@ -96,10 +96,9 @@ export function movePhrase(move: Move, unit: DisplayUnit): string {
   }
 }
 
-/** What is simulated, where that is not what the profile says. */
-export function simulatedPhrase({ machine, material }: SimulatedAs, name: (id: string) => string): string {
-  const head = machine ? `the bend head of ${name(machine)}` : null;
-  const wire = material ? `the wire ${material}` : null;
-  const of = [head, wire].filter((each) => each !== null);
-  return of.length > 0 ? `simulated, with ${of.join(" and ")}` : "simulated";
+/** What is simulated, where that is not what the profile says; null where it is. */
+export function simulatedPhrase({ machine, material }: SimulatedAs, name: (id: string) => string): string | null {
+  const of = [machine ? `the bend head of ${name(machine)}` : null, material ? `the wire ${material}` : null];
+  const others = of.filter((each) => each !== null);
+  return others.length > 0 ? `simulated with ${others.join(" and ")}` : null;
 }

@@ -7,14 +7,43 @@ import { NumberField } from "../../../shared/controls/NumberField";
 import { count, time } from "../../../shared/figures/format";
 import { useLengths } from "../../../shared/figures/unit";
 import { told } from "../../../state/asking/problems";
-import { makeCoupons, openSheet, useCalibration } from "../../../state/calibration/calibration";
+import { closeCalibration, makeCoupons, openSheet, useCalibration } from "../../../state/calibration/calibration";
 import { useDesign } from "../../../state/design/design";
+import { baseName, runFile } from "../../../state/files/files";
 import { useMachines } from "../../../state/machine/machines";
 import { parseAngles } from "./words";
 
 const SHEETS = { name: "Sheets", extensions: ["csv"] } as const;
 /** It is a folder that is named: there is no ending. */
 const FOLDER = { name: "Folders", extensions: [] } as const;
+
+/** The jobs of the coupons, each to be run. */
+function Jobs({ jobs }: { readonly jobs: readonly string[] }) {
+  const run = (job: string) => {
+    closeCalibration();
+    void runFile(job);
+  };
+  return (
+    <ul className="stack">
+      {jobs.map((job) => (
+        <li key={job} className="row">
+          <span className="selectable calibrate-file grow" title={job}>
+            {baseName(job)}
+          </span>
+          <Button
+            small
+            icon="play"
+            title="Opens Run with this job. Nothing moves before you arm a wire and start it."
+            aria-label={`Run ${baseName(job)}`}
+            onClick={() => run(job)}
+          >
+            Run…
+          </Button>
+        </li>
+      ))}
+    </ul>
+  );
+}
 
 /** What is bent to be measured: jobs, and a sheet for the readings. */
 export function Coupons() {
@@ -119,16 +148,10 @@ export function Coupons() {
               {count(made.coupons, "coupon")}, each {count(made.repeats, "time")}: {long(made.wire_mm)} of wire, about{" "}
               {time(made.seconds)} on the machine.
             </p>
-            <ul className="stack">
-              {made.jobs.map((job) => (
-                <li key={job} className="selectable calibrate-file">
-                  {job}
-                </li>
-              ))}
-            </ul>
+            <Jobs jobs={made.jobs} />
             <p className="muted small">
-              Open each job with File, Open, and bend its wires in Run, as often as there are columns for readings. Cut
-              the wire behind each coupon and write its name on it. Then come back to this sheet:
+              Bend the wires of each job as often as there are columns for readings. Cut the wire behind each coupon and
+              write its name on it. Then come back to this sheet:
             </p>
             <p className="selectable calibrate-file">{made.sheet}</p>
             <p className="muted small">
@@ -143,6 +166,7 @@ export function Coupons() {
             <p className="muted small">
               {sheet.machine} with {sheet.material}
             </p>
+            {sheet.jobs.length > 0 && <Jobs jobs={sheet.jobs} />}
           </>
         ) : (
           <p className="muted">The files that are made are listed here.</p>
