@@ -226,6 +226,76 @@ fn what_cannot_be_read_or_fitted_is_said() {
     assert!(said.contains("170.0°") && !folder.path().join("other").exists(), "{said}");
 }
 
+/// Readings that tell little: each is a sentence that says what is missing or wrong, and what is fitted all the same.
+#[test]
+fn of_poor_readings_it_is_said_what_is_missing_and_what_is_fitted() {
+    let bends_alone = [
+        "no sides were measured: K-factor and feed stay as they are in the profiles",
+        "no turns of the head were measured: nothing is said of the head",
+    ];
+    let ladder = "angle-30:1=29,28.8 angle-30:2=-29,-28.8 angle-60:1=59,58.8 angle-60:2=-59,-58.8 \
+                  angle-90:1=89,88.8 angle-90:2=-89,-88.8";
+    let one_side =
+        "no bend to the negative side was measured: springback and bend head are fitted from the other one";
+    for (readings, pin_table, says, fitted) in [
+        ("angle-30:1=29 angle-60:1=58.8 angle-90:1=88.7", "", &[one_side, bends_alone[0]][..], "springback "),
+        (
+            "angle-60:1=58.5,58.9",
+            "",
+            &["all bends were commanded alike, ", "measure another angle", one_side],
+            "springback ",
+        ),
+        (
+            ladder,
+            "pin,left\n60,40\n170,121\n",
+            &["121.0° belongs to a position that the bend axis does not reach: it goes to 155"],
+            "orbit radius R",
+        ),
+        (
+            "angle-30:1=-,- angle-60:1=-,- side-35:1=37.9,38.0 side-140:1=143,143.1",
+            "",
+            &["no bends were measured: springback and bend head stay as they are in the profiles"],
+            "wire per commanded mm",
+        ),
+        (
+            "angle-30:1=0.51,29 angle-60:1=120,-59 angle-60:2=-59,59 angle-90:1=89,88.8 angle-90:2=-89,-88.9 \
+             side-35:1=38,37.9 side-140:1=143.2,143.1",
+            "",
+            &[
+                "0.5° seems to be in radians",
+                "120.0° seems to be the angle between the legs instead of the bend",
+                "-59.0° is to the other side than was commanded",
+            ],
+            "K-factor",
+        ),
+        (
+            "turn-90:1=91,91.2",
+            "",
+            &["no turn goes back: the offset of turns is fitted", "no bends were measured"],
+            "offset of a turn",
+        ),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+        let new = ["calibrate", "new", "--machine", "wirebend-kit", "--angles", "30,60,90", "-o", "coupons"];
+        run(&new).ended(0);
+        let enter = ["calibrate", "enter", "coupons/sheet.csv"];
+        for reading in readings.split_whitespace() {
+            run(&[&enter[..], &[reading]].concat()).ended(0);
+        }
+        if !pin_table.is_empty() {
+            std::fs::write(folder.path().join("pins.csv"), pin_table).unwrap();
+            run(&[&enter[..], &["--pin-table", "pins.csv"]].concat()).ended(0);
+        }
+        let ran = run(&["calibrate", "fit", "coupons/sheet.csv"]).ended(0);
+        let said = ran.err.clone() + &String::from_utf8(ran.out).unwrap();
+        for sentence in says {
+            assert!(said.contains(sentence), "{readings}: no \"{sentence}\" in\n{said}");
+        }
+        assert!(said.lines().any(|line| line.trim_start().starts_with(fitted)), "{readings}: {said}");
+    }
+}
+
 #[test]
 fn a_value_of_an_own_profile_is_set_with_its_source() {
     let folder = tempfile::tempdir().unwrap();

@@ -58,6 +58,10 @@ pub fn left_out(left: &LeftOut) -> String {
     }
 }
 
+/// What a sheet needs at least.
+const ENOUGH: &str =
+    "bends of one angle are enough for the springback, one side for the feed, one turn for the head";
+
 fn kind(kind: Kind) -> &'static str {
     match kind {
         Kind::Bends => "bends",
@@ -87,18 +91,23 @@ pub fn gap(gap: &Gap) -> String {
         }
         Gap::OneSide { missing } => {
             let side = if *missing < 0.0 { "negative" } else { "positive" };
-            format!("no bend to the {side} side was measured: it is taken to be as the other one")
+            format!(
+                "no bend to the {side} side was measured: springback and bend head are fitted from the other one, and this is taken to be like it"
+            )
         }
         Gap::OneAngle { axis } => format!(
-            "all bends were commanded alike, {axis}: their springback is fitted, and the dimensions of the bend head stay as they are"
+            "all bends were commanded alike, {axis}: their springback is fitted, and the dimensions of the bend head stay as they are; measure another angle"
         ),
         Gap::OneLength { feed } => format!(
             "all sides were fed the same, {feed}: what they lack is shared out between the feed and the K-factor; measure another length"
         ),
         Gap::FewAngles { needed } => format!(
-            "a curve of the springback needs {needed} angles of each side that was bent: a constant is fitted"
+            "a curve of the springback needs {needed} different angles of each side that was bent: a constant is fitted"
         ),
-        Gap::NoReversal => "no turn goes back: the backlash of the head is not determined".to_owned(),
+        Gap::NoReversal => {
+            "no turn goes back: the offset of turns is fitted, and the backlash of the head is not determined"
+                .to_owned()
+        }
     }
 }
 
@@ -107,14 +116,17 @@ pub fn gap(gap: &Gap) -> String {
 pub fn refusal(error: &CalibrationError) -> String {
     match error {
         CalibrationError::NoReadings { given: 0 } => {
-            "the sheet has no readings: not one cell is filled in".to_owned()
+            format!("the sheet has no readings: not one cell is filled in; {ENOUGH}")
         }
         CalibrationError::NoReadings { given } => {
-            format!("none of {} can be fitted", count(*given, "reading", "readings"))
+            format!("none of {} can be fitted; {ENOUGH}", count(*given, "reading", "readings"))
         }
         CalibrationError::Geometry(error) => super::error::peg_geometry(error),
         CalibrationError::NoSolution { kind: of } => {
-            format!("no machine bends as the readings of {} say", kind(*of))
+            let of = kind(*of);
+            format!(
+                "no machine makes {of} as their readings say: correct them, or empty their cells to fit the rest"
+            )
         }
     }
 }
