@@ -2799,6 +2799,10 @@ export interface MachineViewResponse {
    * Its profile.
    */
   file: string;
+  /**
+   * Whether its bend head was measured on the machine itself, by a person or by calibrating; null where it has no peg.
+   */
+  head_measured: boolean | null;
   id: string;
   /**
    * The profile that it inherits from.

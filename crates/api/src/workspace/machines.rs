@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use wirebend_planning::bodies::{peg_top_mm, pivot_mm};
 use wirebend_planning::profiles::set::replace;
-use wirebend_profile::{Kind, Shape};
+use wirebend_profile::{BendFigures, Kind, Shape};
 
 use super::Workspace;
 use crate::{ApiError, CompareRequest, CompareResponse, PlanChoices, ProblemReport, Progress};
@@ -60,6 +60,8 @@ pub struct MachineViewResponse {
     pub max_stock_mm: Option<f64>,
     /// Speeds: feed in mm/s, rotate and bend in degrees/s.
     pub rates: [f64; 3],
+    /// Whether its bend head was measured on the machine itself, by a person or by calibrating; null where it has no peg.
+    pub head_measured: Option<bool>,
     /// Its bodies. Frame: the origin is where a bend begins, x the way the wire leaves, z the bend axis.
     pub shapes: Vec<Shape>,
     /// A point of the axis about which the peg goes, mm, in the same frame.
@@ -151,6 +153,8 @@ impl Workspace {
             diameter_mm: [figures.min_diameter_mm, figures.max_diameter_mm],
             max_stock_mm: limits.max_stock_mm,
             rates: [figures.feed_rate_mm_per_s, figures.rotate_rate_deg_per_s, figures.bend_rate_deg_per_s],
+            head_measured: matches!(figures.bend, BendFigures::Peg { .. })
+                .then(|| profile.bend.orbit_offset_mm.as_ref().is_some_and(|offset| offset.measured)),
             peg_top_mm: peg_top_mm(profile.shapes.as_deref().unwrap_or_default()),
             shapes: profile.shapes.clone().unwrap_or_default(),
             pivot_mm: [pivot_mm(&figures), 0.0, 0.0],

@@ -41,6 +41,15 @@ export function ThisMachine({ id }: { readonly id: string }) {
         </ul>
       )}
       <p>{view.description}</p>
+      {view.head_measured === false && (
+        <ul>
+          <Line
+            tone="info"
+            what="The bend head of your machine was not measured"
+            sub="Its dimensions are those of the profile, and your bends can be some degrees off. Calibrate before the first wire: it takes a quarter of an hour."
+          />
+        </ul>
+      )}
       <Figures view={view} />
       <div className="row wrap">
         <Button onClick={() => void openProfile("machine", view.id)}>
