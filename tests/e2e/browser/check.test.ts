@@ -239,6 +239,13 @@ it("predicts how far off the machine will make it, what that comes from and how 
   expect(rms).toEqual(rms.toSorted((a, b) => b - a));
   const needed = accuracy.getByRole("table", { name: "Tolerance" });
   expect(await needed.innerText()).toMatch(/To be within 2 mm[\s\S]*Feeds\s+± [\d.]+ mm/);
+  await accuracy.getByRole("button", { name: /^Vertex by vertex/ }).click();
+  const each = await accuracy.getByRole("table", { name: "Accuracy of each vertex" }).getByRole("row").allInnerTexts();
+  expect(each).toHaveLength((await editor.design()).vertices.length + 1);
+  const within = each.slice(1).map((row) => Number.parseFloat(row.split(/\s*\n\s*/)[2] ?? ""));
+  expect(within).toEqual(within.toSorted((a, b) => b - a));
+  // The wire begins and ends at one corner of the house.
+  expect(each.filter((row) => !row.endsWith("–"))).toHaveLength(2);
   await accuracy.getByRole("checkbox", { name: "Show in the view" }).scrollIntoViewIfNeeded();
   await editor.isClean("check-accuracy");
   // It is of the design as it was: a change takes it out of the view, and it is said.

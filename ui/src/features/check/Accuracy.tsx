@@ -17,6 +17,7 @@ import { displacement, exactness } from "../frame/words";
 import { Part } from "../panel/Section";
 import { PredictButton } from "./PredictButton";
 import { bends, farthest, sources, widest } from "./spread";
+import { VertexAccuracy } from "./VertexAccuracy";
 
 /** So many bends are named. */
 const NAMED = 3;
@@ -186,6 +187,7 @@ function Results({ prediction }: { readonly prediction: Prediction }) {
           </tbody>
         </table>
       )}
+      <VertexAccuracy prediction={prediction} />
       <Needed prediction={prediction} />
       <p className="muted small">
         {number(prediction.runs, 0)} wires were bent by the formulas, with the first edge in place.

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Prediction } from "../../generated/responses";
-import { ballsOf, bends, farthest, playedBallsOf, radii, sources, widest } from "./spread";
+import { ballsOf, bends, byVertex, farthest, playedBallsOf, radii, sources, widest } from "./spread";
 
 const vertex = (vertex: number, mean_mm: number, radius_95_mm: number) => ({
   vertex,
@@ -54,6 +54,14 @@ const prediction: Prediction = {
 };
 
 describe("how far vertices scatter", () => {
+  it("lists every vertex once, the worst first, with the gap of its passes", () => {
+    expect(byVertex(prediction)).toEqual([
+      { vertex: 0, mean: 2, radius: 4, gap: 4 },
+      { vertex: 1, mean: 1, radius: 2, gap: null },
+      { vertex: 2, mean: 0, radius: 0, gap: null },
+    ]);
+  });
+
   it("counts the pass of a vertex that scatters most", () => {
     expect(radii(prediction)).toEqual(
       new Map([

@@ -46,6 +46,20 @@ interface Widest {
   readonly radius: number;
 }
 
+/** How far every vertex is off on average and in 95 % of the wires, and how far its passes are apart in as many; the worst first. */
+export function byVertex({ wires }: Prediction): (Widest & { readonly gap: number | null })[] {
+  const worst = new Map<number, Widest>();
+  const gaps = new Map<number, number>();
+  for (const { vertices, gaps: apart } of wires) {
+    for (const { vertex, mean_mm: mean, radius_95_mm: radius } of vertices)
+      if (radius >= (worst.get(vertex)?.radius ?? 0)) worst.set(vertex, { vertex, mean, radius });
+    for (const { vertex, radius_95_mm } of apart) gaps.set(vertex, Math.max(gaps.get(vertex) ?? 0, radius_95_mm));
+  }
+  return [...worst.values()]
+    .map((one) => ({ ...one, gap: gaps.get(one.vertex) ?? null }))
+    .toSorted((a, b) => b.radius - a.radius || a.vertex - b.vertex);
+}
+
 /** The vertex that is farthest off. */
 export const farthest = ({ wires }: Prediction): Widest | null =>
   largest(
