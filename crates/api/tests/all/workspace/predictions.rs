@@ -47,3 +47,24 @@ fn what_cannot_be_predicted_is_refused() {
     window.ask("new", json!({}));
     window.try_ask("predict", asked("none", 10)).unwrap_err();
 }
+
+/// One of a million wires ends while it is under way, with no figures, and the next one is not touched by that.
+#[test]
+fn a_prediction_is_stopped_in_its_middle() {
+    let window = Window::new();
+    window.ask("open-example", json!({"id": "house"}));
+    let is_under_way = || {
+        let told = window.told.0.lock().unwrap();
+        told.iter().any(|event| event["value"]["ask"] == "predict" && event["value"]["done"].as_u64() > Some(0))
+    };
+    std::thread::scope(|scope| {
+        let predicted = scope.spawn(|| window.ask("predict", asked("bend-forming", 1_000_000)));
+        while !is_under_way() {
+            assert!(!predicted.is_finished(), "a million wires in no time");
+            std::thread::sleep(std::time::Duration::from_millis(5));
+        }
+        window.ask("stop-prediction", json!({}));
+        assert_eq!(predicted.join().unwrap()["found"], Value::Null);
+    });
+    assert_eq!(window.ask("predict", asked("bend-forming", 100))["found"]["runs"], 100);
+}
