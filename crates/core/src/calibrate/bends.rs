@@ -15,6 +15,8 @@ use crate::units::{Angle, Length};
 
 /// How far off a loss may be that nothing tells, in degrees.
 const LOSS_DEVIATION_DEG: f64 = 30.0;
+/// And a loss that a profile states: the published ones scatter by so much from angle to angle (Faruqi et al., SCF '25).
+const STATED_LOSS_DEVIATION_DEG: f64 = 1.63;
 
 /// The dimensions of a bend head as they were found. Only their ratios to one another show in bends: the radius of the
 /// orbit sets the scale, and stays nearly what it was taken to be.
@@ -47,6 +49,38 @@ pub struct BendFit {
     pub peg: Option<FittedPeg>,
     /// The bend radius with its deviation, for what follows from it.
     pub(super) bend_radius: KnownLength,
+    /// How far off bends beside the sides may be, degrees.
+    pub(super) deviation_beside_deg: f64,
+}
+
+/// The bends beside the sides that are measured, as far as they are known by now.
+pub(super) struct KnownBends {
+    pub model: BendModel,
+    pub radius: KnownLength,
+    /// How far off they may be, all alike: a standard deviation, degrees.
+    pub deviation_deg: f64,
+}
+
+/// Bends that nobody has measured, with the axis at each of `beside`.
+pub(super) fn believed(assumed: &Assumed, beside: &[Angle]) -> Result<KnownBends, CalibrationError> {
+    let model = assumed.bend_model()?;
+    let told = told_beyond_zero(beside);
+    let side = Side { assumed, before: &model, told: &told };
+    let knots = Knots::default();
+    let predict = side.predict(&knots);
+    let mut search = side.search(&knots, &predict);
+    if let Some((_, loss)) = search.parameters.last_mut() {
+        loss.sd = STATED_LOSS_DEVIATION_DEG;
+    }
+    let before: Vec<f64> = search.parameters.iter().map(|(_, belief)| belief.value).collect();
+    let slopes = search.problem(&Screened::default()).slopes_at(&before);
+    let deviation_deg = slopes.row_iter().map(|slope| slope.norm()).fold(0.0, f64::max);
+    drop(search);
+    Ok(KnownBends { model: model.clone(), radius: assumed.bend_radius, deviation_deg })
+}
+
+fn told_beyond_zero(axes: &[Angle]) -> Vec<Told> {
+    axes.iter().map(|&axis| Told { axis, side: axis.signum() }).collect()
 }
 
 impl BendFit {
@@ -86,10 +120,12 @@ fn as_the_table_has_it(samples: &[AngleSample], expected: &[Angle]) -> Vec<Angle
     expected.iter().map(shifted).collect()
 }
 
+/// Fits bends. `beside`: positions of the axis for the bends beside the sides that are measured.
 pub(super) fn fit(
     assumed: &Assumed,
     samples: &[AngleSample],
     choice: ShapeChoice,
+    beside: &[Angle],
 ) -> Result<Outcome<BendFit>, CalibrationError> {
     let before = assumed.bend_model()?;
     let expected: Vec<Angle> =
@@ -155,7 +191,8 @@ pub(super) fn fit(
     if too_few {
         gaps.push(Gap::FewAngles { needed: CURVE_NEEDS });
     }
-    let fit = side.found(shape, &knots, fit, &solution, other);
+    let mut fit = side.found(shape, &knots, fit, &solution, other);
+    fit.deviation_beside_deg = side.deviation(&knots, &solution, &told_beyond_zero(beside));
     Ok(Outcome { fit: Some(fit), left_out: screened.left_out, gaps })
 }
 
@@ -210,7 +247,16 @@ impl Side<'_> {
             signed
                 .map(|formed| (Parameter::SpringbackAt(Angle::computed(formed.to_radians())), loss(formed))),
         );
-        Search { parameters, predict, reading: self.assumed.angle_reading.deg() }
+        Search { parameters, unstated: Vec::new(), predict, reading: self.assumed.angle_reading.deg() }
+    }
+
+    /// How far off the fitted bends of other commands may be: the largest standard deviation, degrees.
+    fn deviation(&self, knots: &Knots, solution: &Solution, told: &[Told]) -> f64 {
+        let other = Side { told, ..*self };
+        let predict = other.predict(knots);
+        let problem = other.search(knots, &predict);
+        let slopes = problem.problem(&Screened::default()).slopes_at(&solution.parameters);
+        slopes.row_iter().map(|slope| solution.deviation_along(&slope.transpose())).fold(0.0, f64::max)
     }
 
     /// The bend of each sample that has readings left: their median, in degrees.
@@ -267,6 +313,15 @@ impl Side<'_> {
             value: peg.bend_radius,
             deviation: Length::computed(solution.deviation(2, radius.deviation.mm())),
         });
-        BendFit { fit, shape, other, springback: knots.springback(losses), pairs, peg, bend_radius }
+        BendFit {
+            fit,
+            shape,
+            other,
+            springback: knots.springback(losses),
+            pairs,
+            peg,
+            bend_radius,
+            deviation_beside_deg: 0.0,
+        }
     }
 }

@@ -1,15 +1,15 @@
 //! The feed's scale and the wire in a bend, from sides of U-shapes.
 
 use super::CalibrationError;
-use super::assumed::{Assumed, KnownLength};
-use super::bends::Outcome;
+use super::assumed::Assumed;
+use super::bends::{KnownBends, Outcome};
 use super::estimate::{Fit, Parameter};
 use super::figure::Figure;
 use super::fitting::Search;
-use super::least_squares::Belief;
+use super::least_squares::{BELIEVED, Belief};
 use super::measured::{Gap, Kind, LengthSample};
 use super::screen::{screen, side};
-use crate::compensate::{BendModel, FeedModel};
+use crate::compensate::FeedModel;
 use crate::units::{Angle, Length};
 
 /// How far off the scale of a feed may be: a drive wheel of 37.3 mm that is 0.75 mm larger or smaller.
@@ -28,13 +28,12 @@ pub struct FeedFit {
     pub model: FeedModel,
 }
 
-/// `bends` is what the positions of the axis leave, `radius` the bend radius as it is known by now.
 pub(super) fn fit(
     assumed: &Assumed,
     samples: &[LengthSample],
-    bends: &BendModel,
-    radius: KnownLength,
+    known: &KnownBends,
 ) -> Result<Outcome<FeedFit>, CalibrationError> {
+    let KnownBends { model: bends, radius, .. } = known;
     let side_of = |sample: &LengthSample, [scale, k, radius]: [f64; 3]| {
         let [before, after] = [sample.axis_before, sample.axis_after].map(|axis| bends.result(axis));
         let fed = Length::computed(scale * sample.feed.mm());
@@ -62,9 +61,10 @@ pub(super) fn fit(
         .collect();
     let expected: Vec<f64> = screened.samples.iter().map(|&k| expected[k].mm()).collect();
     let predict = |parameters: &[f64]| {
-        let &[scale, k, radius] = parameters else { return Vec::new() };
+        let &[scale, k, radius, off_deg] = parameters else { return Vec::new() };
         let model = feed_model(assumed, k, radius);
         let side = |(sample, made): (&&LengthSample, &[Angle; 2])| {
+            let made = made.map(|bend| bend + Angle::computed(bend.signum() * off_deg.to_radians()));
             model.segment_of(Length::computed(scale * sample.feed.mm()), made[0], made[1]).mm()
         };
         used.iter().zip(&made).map(side).collect()
@@ -75,6 +75,8 @@ pub(super) fn fit(
             (Parameter::KFactor, Belief { value: assumed.k_factor, sd: assumed.k_deviation.max(1e-3) }),
             (Parameter::BendRadius, Belief { value: radius.value.mm(), sd: radius.deviation.mm().max(1e-3) }),
         ],
+        // Where bends are other than they are taken to be, sides are too: the corners lie elsewhere.
+        unstated: vec![Belief { value: 0.0, sd: known.deviation_deg.max(1e-3) }],
         predict: &predict,
         reading: assumed.length_reading.mm(),
     };
@@ -90,17 +92,29 @@ pub(super) fn fit(
     {
         gaps.push(Gap::OneLength { feed: first });
     }
-    let fit = solution.parameters.first_chunk::<3>().map(|&[scale, k, fitted]| {
-        // Sides hardly tell the radius from K: K is stated for the radius that is stated with it. Sides are linear in K.
-        let all = |k: f64, radius: f64| predict(&[scale, k, radius]).iter().sum::<f64>();
+    let fit = solution.parameters.first_chunk::<4>().map(|&[scale, k, fitted, off_deg]| {
+        // Sides hardly tell the radius from K: K is stated for the radius that is stated with it. Sides are linear in both.
+        let all = |k: f64, radius: f64| predict(&[scale, k, radius, off_deg]).iter().sum::<f64>();
         let before = radius.value.mm();
         let slope = all(k + 1.0, before) - all(k, before);
         // Without a bend there is no K.
-        let k_factor = if slope.abs() < 1e-9 { k } else { k + (all(k, fitted) - all(k, before)) / slope };
+        let k_of_radius =
+            if slope.abs() < 1e-9 { 0.0 } else { (all(k, before + 1.0) - all(k, before)) / slope };
+        let k_factor = k + k_of_radius * (fitted - before);
+        // What the sides tell of the radius is given up, so that it is as uncertain as before, and K as much more as it went along.
+        let sd = radius.deviation.mm().max(1e-3);
+        let given_up = (sd.powi(2) - solution.deviation(2, sd).powi(2)).max(0.0).sqrt();
         for estimate in &mut fit.estimates {
             match estimate.parameter {
-                Parameter::KFactor => estimate.value = Figure::Ratio(k_factor),
-                Parameter::BendRadius => estimate.value = Figure::Length(radius.value),
+                Parameter::KFactor => {
+                    let within = estimate.within_95.plain().hypot(BELIEVED * k_of_radius * given_up);
+                    (estimate.value, estimate.within_95) = (Figure::Ratio(k_factor), Figure::Ratio(within));
+                }
+                Parameter::BendRadius => {
+                    estimate.value = Figure::Length(radius.value);
+                    estimate.within_95 = Figure::Length(Length::computed(BELIEVED * sd));
+                    estimate.determined = 0.0;
+                }
                 _ => {}
             }
         }

@@ -5,7 +5,6 @@ use super::figure::Figure;
 use super::least_squares::{Belief, NoSolution, Predict, Problem, Solution};
 use super::measured::{Kind, LeftOut, LeftOutReason};
 use super::screen::Screened;
-use super::statistics::within;
 use super::wild::find_wild;
 use crate::units::{Angle, Length};
 
@@ -13,20 +12,20 @@ use crate::units::{Angle, Length};
 pub(super) struct Search<'a> {
     /// What each parameter is, and what was believed of it.
     pub parameters: Vec<(Parameter, Belief)>,
+    /// What else is not known and not stated either; after the parameters.
+    pub unstated: Vec<Belief>,
     pub predict: &'a Predict<'a>,
     /// Scatter of a reading as long as nothing tells it, in mm or degrees.
     pub reading: f64,
 }
 
-/// Deviations of what was believed within which 95 % lie.
-const BELIEVED: f64 = 1.96;
 /// The least scatter as a part of what a reading resolves: an even spread over one division has 0.29 of it.
 const LEAST_SCATTER: f64 = 0.29;
 
 impl Search<'_> {
-    fn problem(&self, screened: &Screened) -> Problem<'_> {
+    pub fn problem(&self, screened: &Screened) -> Problem<'_> {
         Problem {
-            beliefs: self.parameters.iter().map(|(_, belief)| *belief).collect(),
+            beliefs: self.parameters.iter().map(|(_, belief)| *belief).chain(self.unstated.clone()).collect(),
             predict: self.predict,
             data: screened.data.clone(),
             first_scatter: self.reading,
@@ -63,14 +62,11 @@ impl Search<'_> {
     ) -> Result<(Fit, Solution), NoSolution> {
         let problem = self.problem(screened);
         let solution = problem.solve(None)?;
-        let factor = within(0.95, solution.freedom);
-        // What was believed is an interval by itself, which readings do not widen, however few they are.
-        let half = |k, sd: f64| (factor * solution.deviation(k, sd)).min(BELIEVED * sd);
         let estimate = |(k, (parameter, belief)): (usize, &(Parameter, Belief))| Estimate {
             parameter: *parameter,
             before: parameter.figure(belief.value),
             value: parameter.figure(solution.parameters[k]),
-            within_95: parameter.figure(half(k, belief.sd)),
+            within_95: parameter.figure(solution.parameter_within_95(k, belief.sd)),
             determined: solution.determined(k),
         };
         let off = |from: &[f64]| -> Vec<f64> {
@@ -84,7 +80,7 @@ impl Search<'_> {
         });
         let fit = Fit {
             estimates: self.parameters.iter().enumerate().map(estimate).collect(),
-            rank: solution.rank(),
+            rank: solution.rank(self.parameters.len()),
             readings: screened.data.len(),
             scatter: figure(kind, solution.scatter),
             before: Misfit::of(&off(before)),

@@ -12,6 +12,8 @@ use rmpfit::{MPConfig, MPError, MPFitter, MPMaxFev, MPResult};
 pub(super) struct Belief {
     pub value: f64,
     /// Standard deviation; more than zero.
+use super::statistics::within;
+
     pub sd: f64,
 }
 
@@ -77,6 +79,9 @@ const STEP: f64 = 1e-4;
 
 struct Residuals<'a> {
     problem: &'a Problem<'a>,
+/// Deviations of what was believed within which 95 % lie.
+pub(super) const BELIEVED: f64 = 1.96;
+
     scatter: f64,
 }
 
@@ -155,6 +160,11 @@ impl Problem<'_> {
         let predicted = (self.predict)(&self.unscaled(scaled));
         let mut slopes = DMatrix::zeros(predicted.len(), scaled.len());
         for k in 0..scaled.len() {
+    /// How each predicted value (row) changes with each parameter, in deviations of what was believed.
+    pub fn slopes_at(&self, parameters: &[f64]) -> DMatrix<f64> {
+        self.slopes(&self.scaled(parameters)).1
+    }
+
             let at = |step: f64| {
                 let mut moved = scaled.to_vec();
                 moved[k] += step;
@@ -216,16 +226,43 @@ impl Solution {
         (1.0 - self.covariance[(parameter, parameter)]).clamp(0.0, 1.0)
     }
 
-    /// Of how many independent combinations of the parameters the readings tell more than was believed.
-    pub fn rank(&self) -> usize {
+    /// Within how much of its value a sum of parameters lies with 95 %. `weights` has a weight for each, in deviations of what was
+    /// believed.
+    ///
+    /// What comes from the beliefs has a deviation that was said, what comes from the readings one that they tell themselves, and the
+    /// fewer they are the worse: the factor is Student's for the effective degrees of freedom of Welch and Satterthwaite (GUM, JCGM
+    /// 100:2008, G.4).
+    pub fn within_95(&self, weights: &DVector<f64>) -> f64 {
+        let pull = &self.covariance * weights;
+        let (all, believed) = (weights.dot(&pull).max(0.0), pull.norm_squared());
+        let read = (all - believed).max(0.0);
+        let freedom = if read > 0.0 { self.freedom * (all / read).powi(2) } else { f64::INFINITY };
+        // What was believed is an interval by itself, which readings do not widen, however few they are.
+        (within(0.95, freedom) * all.sqrt()).min(BELIEVED * weights.norm())
+    }
+
+    /// The same of a parameter that was believed with `sd`.
+    pub fn parameter_within_95(&self, parameter: usize, sd: f64) -> f64 {
+        let mut weights = DVector::zeros(self.parameters.len());
+        weights[parameter] = sd;
+        self.within_95(&weights)
+    }
+
+    /// Of how many independent combinations of the first `stated` parameters the readings tell more than was believed.
+    pub fn rank(&self, stated: usize) -> usize {
         // Below 1/2 a variance has more from the readings than from the belief.
-        self.covariance.clone().symmetric_eigenvalues().iter().filter(|variance| **variance < 0.5).count()
+        let of_stated = self.covariance.view((0, 0), (stated, stated)).into_owned();
+        of_stated.symmetric_eigenvalues().iter().filter(|variance| **variance < 0.5).count()
     }
 
     /// Standard deviation of the predicted value of a sample.
     pub fn deviation_of_prediction(&self, sample: usize) -> f64 {
-        let slope = self.slopes.row(sample);
-        (slope * &self.covariance * slope.transpose())[(0, 0)].max(0.0).sqrt()
+        self.deviation_along(&self.slopes.row(sample).transpose())
+    }
+
+    /// Standard deviation of what changes so much with each parameter, in deviations of what was believed.
+    pub fn deviation_along(&self, slope: &DVector<f64>) -> f64 {
+        slope.dot(&(&self.covariance * slope)).max(0.0).sqrt()
     }
 
     /// By how much each reading would be off if the fit had not seen its sample: the residuals of leave-one-out, by

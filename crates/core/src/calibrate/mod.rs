@@ -22,6 +22,8 @@ mod turns;
 mod wild;
 
 use crate::compensate::PegGeometryError;
+use crate::units::Angle;
+use bends::KnownBends;
 
 pub use assumed::{Assumed, KnownLength, KnownPeg};
 pub use bends::{BendFit, FittedPeg};
@@ -79,12 +81,18 @@ pub fn calibrate(
     measured: &Measurements,
     choice: ShapeChoice,
 ) -> Result<Calibration, CalibrationError> {
-    let bends = bends::fit(assumed, &measured.angles, choice)?;
-    let as_found = match &bends.fit {
-        Some(fit) => (fit.model(assumed.axis_limit), fit.bend_radius),
-        None => (assumed.bend_model()?, assumed.bend_radius),
+    let beside: Vec<Angle> =
+        measured.lengths.iter().flat_map(|sample| [sample.axis_before, sample.axis_after]).collect();
+    let bends = bends::fit(assumed, &measured.angles, choice, &beside)?;
+    let known = match &bends.fit {
+        Some(fit) => KnownBends {
+            model: fit.model(assumed.axis_limit),
+            radius: fit.bend_radius,
+            deviation_deg: fit.deviation_beside_deg,
+        },
+        None => bends::believed(assumed, &beside)?,
     };
-    let feeds = feeds::fit(assumed, &measured.lengths, &as_found.0, as_found.1)?;
+    let feeds = feeds::fit(assumed, &measured.lengths, &known)?;
     let turns = turns::fit(assumed, &measured.turns)?;
     if bends.fit.is_none() && feeds.fit.is_none() && turns.fit.is_none() {
         let given = |gap: &Gap| if let Gap::NoReadings { given, .. } = gap { *given } else { 0 };

@@ -54,6 +54,7 @@ pub(super) fn fit(assumed: &Assumed, samples: &[TurnSample]) -> Result<Outcome<T
             (Parameter::RotationOffset, belief(offset)),
             (Parameter::RotationBacklash, belief(backlash)),
         ],
+        unstated: Vec::new(),
         predict: &predict,
         reading: assumed.angle_reading.deg(),
     };
