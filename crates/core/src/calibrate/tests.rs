@@ -5,6 +5,7 @@ use crate::units::{Angle, Length};
 
 mod bad_input;
 mod coverage;
+mod left_out;
 mod real;
 mod recovery;
 mod typing;
