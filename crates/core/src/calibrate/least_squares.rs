@@ -2,18 +2,23 @@
 //! deviation, and readings pull them away from it.
 //!
 //! A parameter is counted in its own deviations from what was believed, so that the belief is one more residual for
-//! each and the problem has a solution whatever is measured. Levenberg and Marquardt's method is that of MINPACK.
+//! each and the problem has a solution whatever is measured.
+//!
+//! Levenberg and Marquardt's method is that of MINPACK, by `rmpfit`: CMPFIT in Rust alone. It wants no derivatives, which a chain of tangencies, a
+//! monotone curve and clamps do not have in closed form, depends on nothing, and gives up with an error rather than with a value that is
+//! none. It is given residuals only. Covariances, weights, the scatter and what is left out are computed here, from slopes by
+//! central differences, since they need the beliefs apart from the readings.
 
 use nalgebra::{DMatrix, DVector};
 use rmpfit::{MPConfig, MPError, MPFitter, MPMaxFev, MPResult};
+
+use super::statistics::within;
 
 /// What is believed of a parameter before anything is measured.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Belief {
     pub value: f64,
     /// Standard deviation; more than zero.
-use super::statistics::within;
-
     pub sd: f64,
 }
 
@@ -74,14 +79,14 @@ const CONFIG: MPConfig = MPConfig {
     no_finite_check: false,
 };
 
+/// Deviations of what was believed within which 95 % lie.
+pub(super) const BELIEVED: f64 = 1.96;
+
 /// The step of a numerical derivative, in deviations of what was believed.
 const STEP: f64 = 1e-4;
 
 struct Residuals<'a> {
     problem: &'a Problem<'a>,
-/// Deviations of what was believed within which 95 % lie.
-pub(super) const BELIEVED: f64 = 1.96;
-
     scatter: f64,
 }
 
@@ -155,16 +160,16 @@ impl Problem<'_> {
         self.judged(scaled.as_slice(), predicted.as_slice().to_vec(), about.slopes.clone(), about.scatter)
     }
 
-    /// What is predicted, and how that changes with each parameter.
-    fn slopes(&self, scaled: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
-        let predicted = (self.predict)(&self.unscaled(scaled));
-        let mut slopes = DMatrix::zeros(predicted.len(), scaled.len());
-        for k in 0..scaled.len() {
     /// How each predicted value (row) changes with each parameter, in deviations of what was believed.
     pub fn slopes_at(&self, parameters: &[f64]) -> DMatrix<f64> {
         self.slopes(&self.scaled(parameters)).1
     }
 
+    /// What is predicted, and how that changes with each parameter.
+    fn slopes(&self, scaled: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
+        let predicted = (self.predict)(&self.unscaled(scaled));
+        let mut slopes = DMatrix::zeros(predicted.len(), scaled.len());
+        for k in 0..scaled.len() {
             let at = |step: f64| {
                 let mut moved = scaled.to_vec();
                 moved[k] += step;
@@ -221,11 +226,6 @@ impl Solution {
         self.covariance[(parameter, parameter)].max(0.0).sqrt() * sd
     }
 
-    /// How much of what is known of a parameter the readings tell, from 0 (nothing) to 1.
-    pub fn determined(&self, parameter: usize) -> f64 {
-        (1.0 - self.covariance[(parameter, parameter)]).clamp(0.0, 1.0)
-    }
-
     /// Within how much of its value a sum of parameters lies with 95 %. `weights` has a weight for each, in deviations of what was
     /// believed.
     ///
@@ -246,6 +246,11 @@ impl Solution {
         let mut weights = DVector::zeros(self.parameters.len());
         weights[parameter] = sd;
         self.within_95(&weights)
+    }
+
+    /// How much of what is known of a parameter the readings tell, from 0 (nothing) to 1.
+    pub fn determined(&self, parameter: usize) -> f64 {
+        (1.0 - self.covariance[(parameter, parameter)]).clamp(0.0, 1.0)
     }
 
     /// Of how many independent combinations of the first `stated` parameters the readings tell more than was believed.
