@@ -4,7 +4,7 @@ use super::super::contact::{Beyond, FormedWire, Piece};
 use super::super::shape::Shape;
 use super::*;
 use crate::schedule::ScheduledProgram;
-use nalgebra::{Point2, Point3, Rotation3, Vector3};
+use nalgebra::{Point2, Point3, Rotation3, Vector2, Vector3};
 
 /// Bends in one plane or another, each after an edge of so many mm and a turn of the head, degrees.
 pub(super) fn program(edges: &[(f64, f64, f64)]) -> ScheduledProgram {
@@ -133,6 +133,79 @@ fn marched(pressed: f64, leg: f64, corners: &[(f64, f64, f64)], half: f64) -> Ve
         go(straight, 0.0, &mut axes);
     }
     points
+}
+
+/// A wire that is pressed so far, degrees, in points a hundredth of a millimetre apart: pieces of so many mm that turn by so many
+/// degrees, from the pin on.
+fn laid(pressed: f64, pieces: &[(f64, f64)]) -> Vec<Point2<f64>> {
+    let mut towards = pressed.to_radians();
+    let mut at = Point2::new(3.0 * towards.sin(), 3.0 * (1.0 - towards.cos()));
+    let mut points = vec![at];
+    for &(length, turn) in pieces {
+        let parts = (length / 0.01).ceil().max(1.0);
+        let half_turn = turn.to_radians() / parts / 2.0;
+        let mut part = 0.0;
+        while part < parts {
+            towards += half_turn;
+            at += Vector2::new(towards.cos(), towards.sin()) * (length / parts);
+            towards += half_turn;
+            points.push(at);
+            part += 1.0;
+        }
+    }
+    points
+}
+
+/// Where the peg, which comes from beside the pin, first is as near to a point as it gets, degrees.
+fn first_touched(points: &[Point2<f64>]) -> f64 {
+    let gap = |axis: f64| {
+        let peg = Point2::new(12.0 + 20.4 * axis.cos(), 20.4 * axis.sin());
+        points.iter().map(|point| (point - peg).norm_squared()).fold(f64::INFINITY, f64::min).sqrt() - 4.675
+    };
+    let mut clear = f64::to_radians(-80.0);
+    assert!(gap(clear) > 0.0, "it begins in the wire");
+    while gap(clear + 0.01) > 0.0 {
+        clear += 0.01;
+    }
+    let mut touching = clear + 0.01;
+    for _ in 0..30 {
+        let middle = f64::midpoint(clear, touching);
+        if gap(middle) > 0.0 {
+            clear = middle;
+        } else {
+            touching = middle;
+        }
+    }
+    clear.to_degrees()
+}
+
+/// The figures of the formulas above, by a peg that is moved past points of the wire: no equation of contact is in it.
+#[test]
+fn moving_the_peg_past_points_of_the_wire_finds_the_same_places() {
+    let corner = 3.0 * 15.0_f64.to_radians().tan();
+    let bent = |edge: f64, turn: f64| {
+        vec![(edge - 2.0 * corner, 0.0), (3.0 * f64::abs(turn).to_radians(), turn), (80.0, 0.0)]
+    };
+    let ring = vec![(30.0 * 170.0_f64.to_radians(), 170.0)];
+    let straight = vec![(80.0, 0.0)];
+    let mut rows = vec![
+        (0.0, straight.clone(), -13.248, 1e-3),
+        (15.23, straight.clone(), 10.653, 1e-3),
+        (40.23, straight, 46.889, 1e-3),
+        (0.0, ring.clone(), 33.079, 1e-3),
+        (15.23, ring, 50.636, 1e-3),
+        (40.23, bent(20.4, 30.0), 56.726, 1e-3),
+        (40.23, bent(25.0, -30.0), 39.289, 1e-3),
+    ];
+    // The quarter of a circle of 50 mm, after so many of its bends.
+    for (before, axis) in [14.461, 23.403, 29.746, 33.499, 34.657, 34.657].into_iter().enumerate() {
+        let arcs = (0..before).flat_map(|_| [(6.1611, 0.0), (3.0 * 7.5_f64.to_radians(), 7.5)]);
+        rows.push((17.73, arcs.chain([(60.0, 0.0)]).collect(), axis, 2e-3));
+    }
+    for (pressed, pieces, axis, within) in rows {
+        let found = first_touched(&laid(pressed, &pieces));
+        assert!((found - axis).abs() < within, "{found} for {axis}: {pieces:?}");
+    }
 }
 
 proptest! {
