@@ -170,3 +170,50 @@ impl Formed {
             .unwrap_or((f64::INFINITY, 0.0))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::chain::{Arc, Piece};
+    use super::super::settings::Bender;
+    use super::*;
+
+    /// Pieces from the tip to the pin: straight wire, and an arc of so many degrees and mm of centreline behind it.
+    fn chain(pieces: &[(f64, f64, f64)], tail: f64) -> Chain {
+        let piece = |&(straight, turn, fibre): &(f64, f64, f64)| Piece {
+            straight,
+            arc: Arc { turn: f64::to_radians(turn), fibre, head: 0.0 },
+        };
+        Chain { pieces: pieces.iter().map(piece).collect(), tail }
+    }
+
+    /// The places of the axis were worked out with formulas apart from this: there the peg holds the leg at the angle beside it.
+    #[test]
+    fn the_peg_holds_a_formed_wire_where_it_is_said_to() {
+        let contact = Contact::new(&Bender::PUBLISHED, 1.5).unwrap();
+        let corner = 3.0 * 15.0_f64.to_radians().tan();
+        let arc = |turn: f64| 3.0 * f64::abs(turn).to_radians();
+        let bent = |edge: f64, turn: f64| chain(&[(80.0, turn, arc(turn))], edge - 2.0 * corner);
+        let small = |before: usize| {
+            let mut pieces = vec![(60.0, 7.5, arc(7.5))];
+            pieces.resize(before, (6.1611, 7.5, arc(7.5)));
+            chain(&pieces, 6.1611)
+        };
+        let mut rows = vec![(40.23, bent(20.4, 30.0), 56.726), (40.23, bent(25.0, -30.0), 39.289)];
+        rows.extend(
+            [23.403, 29.746, 33.499, 34.657].into_iter().zip(1..).map(|(axis, k)| (17.73, small(k), axis)),
+        );
+        for (pressed, chain, axis) in rows {
+            let formed = Formed::beyond(&chain, &contact, 0.0, 1.0, 0.0).unwrap();
+            // Farther from zero than beside straight wire, since one corner is bent towards it.
+            let axes = [-40.0, axis].map(f64::to_radians);
+            let Met::Held(held) = formed.held(&contact, 0.0, axes, |_| 0.0, |leg| leg) else {
+                panic!("not held at {axis}")
+            };
+            assert!(
+                (held.leg.to_degrees() - pressed).abs() < 0.05,
+                "{} for {pressed}",
+                held.leg.to_degrees()
+            );
+        }
+    }
+}
