@@ -110,6 +110,13 @@ fn bend_radius(page: &mut Document) {
 fn sag(page: &mut Document) {
     let [diameter, modulus, density, deflection, length] =
         page.sentence("A straight aluminium wire of {} mm with {} GPa and {} kg/m³ sags by {} mm at {} mm.");
+    // A pin of the wire's own diameter has half of it for a radius; the others are read off data sheets.
+    let [steel] = page.sentence(
+        "Cold-drawn low-carbon steel has to go round a pin of its own diameter [A82], which is {} diameters;",
+    );
+    steel.is(1.0 / 2.0);
+    let [_copper, _brass] =
+        page.sentence("half-hard copper strip holds at {} [KME], quarter-hard brass strip at {} [Olin].");
     let wire = WireModel {
         diameter: mm(diameter.value),
         density_kg_per_m3: density.value,
