@@ -86,13 +86,18 @@ fn torque(page: &mut Document) {
     let [available, times, thicker_times, thicker] = page.sentence(
         "The bend axis of the paper has {} N·m, {} times as much [SCF25], and {} times what {} mm of the same alloy take.",
     );
-    let beside = |diameter: f64| {
+    let needed = |diameter: f64, strength: f64| {
         let source = Source { reason: None, entry: String::new() };
-        BendTorque::beside(Sourced { value: available.value, source }, mm(diameter), strength.value)
+        BendTorque::beside(Sourced { value: available.value, source }, mm(diameter), strength).needed_n_m
     };
-    moment.is(beside(diameter.value).needed_n_m);
-    times.is(available.value / beside(diameter.value).needed_n_m);
-    thicker_times.is(available.value / beside(thicker.value).needed_n_m);
+    moment.is(needed(diameter.value, strength.value));
+    times.is(available.value / needed(diameter.value, strength.value));
+    thicker_times.is(available.value / needed(thicker.value, strength.value));
+    let [steel_times, steel, spring, soft, soft_times] = page.sentence(
+        "The {} times that it states for {} mm of steel are those of {} MPa, hard-drawn wire: the low-carbon steel that ships has {} MPa, and {} times.",
+    );
+    steel_times.is(available.value / needed(steel.value, spring.value));
+    soft_times.is(available.value / needed(steel.value, soft.value));
     // That it warns there is a test of the check.
     let [_margin] = page.sentence("There is a warning below {} times:");
 }
@@ -105,11 +110,6 @@ fn bend_radius(page: &mut Document) {
     stretched.is(100.0 * diameter.value / (2.0 * (pin.value + diameter.value / 2.0)));
     // Published, and computed by nobody.
     let [_breaks] = page.sentence("and a test bar of that alloy breaks at {} % [SCF25];");
-}
-
-fn sag(page: &mut Document) {
-    let [diameter, modulus, density, deflection, length] =
-        page.sentence("A straight aluminium wire of {} mm with {} GPa and {} kg/m³ sags by {} mm at {} mm.");
     // A pin of the wire's own diameter has half of it for a radius; the others are read off data sheets.
     let [steel] = page.sentence(
         "Cold-drawn low-carbon steel has to go round a pin of its own diameter [A82], which is {} diameters;",
@@ -117,6 +117,11 @@ fn sag(page: &mut Document) {
     steel.is(1.0 / 2.0);
     let [_copper, _brass] =
         page.sentence("half-hard copper strip holds at {} [KME], quarter-hard brass strip at {} [Olin].");
+}
+
+fn sag(page: &mut Document) {
+    let [diameter, modulus, density, deflection, length] =
+        page.sentence("A straight aluminium wire of {} mm with {} GPa and {} kg/m³ sags by {} mm at {} mm.");
     let wire = WireModel {
         diameter: mm(diameter.value),
         density_kg_per_m3: density.value,
