@@ -86,6 +86,7 @@ pub use wirebend_planning::profiles::share::{
     ProfileExportRequest, ProfileExportResponse, ProfileImportRequest, ProfileImportResponse,
 };
 pub use wirebend_planning::profiles::springback::{SamplePlace, SpringbackReport, SpringbackSample};
+pub use wirebend_planning::profiles::torque::{BendTorqueReport, WireTorqueReport};
 pub use wirebend_planning::program::ProgramKind;
 pub use wirebend_planning::progress::{NoProgress, Progress};
 pub use wirebend_planning::report::{

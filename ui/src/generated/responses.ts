@@ -5179,6 +5179,10 @@ export interface ProfileExplainResponse {
    */
   abstract: boolean;
   /**
+   * What a machine's bend axis has beside what bends each wire; absent where it states none.
+   */
+  bend_torque?: BendTorqueReport | null;
+  /**
    * The profile itself, its parent, and so on.
    */
   chain: AncestorReport[];
@@ -5193,6 +5197,37 @@ export interface ProfileExplainResponse {
    * Its values, in the order in which the shipped files have them.
    */
   values: ValueReport[];
+}
+/**
+ * What the bend axis has, and what it takes to bend each wire.
+ */
+export interface BendTorqueReport {
+  /**
+   * What the axis has, N·m.
+   */
+  available_n_m: number;
+  /**
+   * There is a warning where it has less than so many times what a wire takes.
+   */
+  margin: number;
+  /**
+   * The wires that fit the machine, the strongest first.
+   */
+  wires: WireTorqueReport[];
+}
+export interface WireTorqueReport {
+  /**
+   * The material, by id.
+   */
+  material: string;
+  /**
+   * Plastic moment of the wire, N·m.
+   */
+  needed_n_m: number;
+  /**
+   * So many times as much the axis has.
+   */
+  times: number;
 }
 /**
  * A profile of a chain.

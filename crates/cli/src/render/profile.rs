@@ -5,9 +5,9 @@ use std::io::Write;
 use anstyle::Style;
 use serde_json::Value;
 use wirebend_api::{
-    ProfileCheckResponse, ProfileExplainResponse, ProfileExportResponse, ProfileImportResponse,
-    ProfileNewResponse, ProfileRevertResponse, ProfileSetResponse, SamplePlace, SetValue, SeverityName,
-    SpringbackReport, SpringbackSample, ValueReport,
+    BendTorqueReport, ProfileCheckResponse, ProfileExplainResponse, ProfileExportResponse,
+    ProfileImportResponse, ProfileNewResponse, ProfileRevertResponse, ProfileSetResponse, SamplePlace,
+    SetValue, SeverityName, SpringbackReport, SpringbackSample, ValueReport,
 };
 
 use super::tables::padded;
@@ -130,7 +130,21 @@ pub(super) fn explain(out: &mut impl Write, found: &ProfileExplainResponse) -> s
             writeln!(out, "{margin}{dim}{text}{dim:#}")?;
         }
     }
+    found.bend_torque.as_ref().map_or(Ok(()), |torque| bend_torque(out, torque))?;
     found.springback.as_ref().map_or(Ok(()), |curve| springback(out, curve))
+}
+
+/// What the bend axis can bend, a line for each wire.
+fn bend_torque(out: &mut impl Write, torque: &BendTorqueReport) -> std::io::Result<()> {
+    let BendTorqueReport { available_n_m, margin, wires } = torque;
+    writeln!(
+        out,
+        "\nbend torque: {available_n_m} N·m, beside what bends each wire (a warning below {margin} times)"
+    )?;
+    for wire in wires {
+        writeln!(out, "  {:>7.1} times  {:>6.3} N·m  {}", wire.times, wire.needed_n_m, wire.material)?;
+    }
+    Ok(())
 }
 
 /// The curve of a springback table, a line for each bend.

@@ -34,6 +34,7 @@ pub use diagnostic::{Diagnostic, Location, Severity};
 pub use fact::{BendOf, Fact};
 pub use limit::{Limit, LimitSource, Quantity, ReachLimit, Source, Sourced};
 pub use remedy::Remedy;
+pub use strength::TORQUE_MARGIN;
 
 use crate::bend::NominalProgram;
 use crate::clearance::{Body, FirstContact};

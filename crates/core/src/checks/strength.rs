@@ -3,16 +3,16 @@
 use super::{Diagnostic, Fact, Location, Remedy, Severity, WireStages};
 
 /// So many times the moment that bends the wire a bend axis should have, for friction and for wire that is stronger than its figures.
-const MARGIN: f64 = 1.5;
+pub const TORQUE_MARGIN: f64 = 1.5;
 /// Of the same radius, written in another way, nothing is said.
 const SAME: f64 = 1e-9;
 
 pub(super) fn torque(wire: &WireStages, found: &mut Vec<Diagnostic>) {
     let Some(torque) = &wire.limits.bend_torque else { return };
     let needed_n_m = torque.needed_n_m;
-    if torque.available_n_m.value < MARGIN * needed_n_m {
+    if torque.available_n_m.value < TORQUE_MARGIN * needed_n_m {
         let available_n_m = torque.available_n_m.clone();
-        found.push(warning(Fact::BendTorqueLow { needed_n_m, available_n_m, margin: MARGIN }));
+        found.push(warning(Fact::BendTorqueLow { needed_n_m, available_n_m, margin: TORQUE_MARGIN }));
     }
 }
 

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use wirebend_profile::{ExplainedValue, Kind};
 
 use super::springback::{self, SpringbackReport};
+use super::torque::{self, BendTorqueReport};
 use crate::{Installation, PlanningError, Progress};
 
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -30,6 +31,9 @@ pub struct ProfileExplainResponse {
     /// The curve of a material's springback table; absent where there is no table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub springback: Option<SpringbackReport>,
+    /// What a machine's bend axis has beside what bends each wire; absent where it states none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bend_torque: Option<BendTorqueReport>,
 }
 
 /// A profile of a chain.
@@ -106,8 +110,10 @@ pub fn explain(
         }
         _ => None,
     };
+    let is_machine = kind == Kind::Machine && !explained.is_abstract;
     Ok(ProfileExplainResponse {
         springback,
+        bend_torque: is_machine.then(|| torque::report(app, &request.id)).flatten(),
         kind,
         id: request.id.clone(),
         name: explained.name,

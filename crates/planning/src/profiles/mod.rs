@@ -10,5 +10,6 @@ pub mod revert;
 pub mod set;
 pub mod share;
 pub mod springback;
+pub mod torque;
 
 pub(crate) use own::OwnProfile;
