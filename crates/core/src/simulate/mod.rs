@@ -253,6 +253,23 @@ pub fn simulate(
     Ok(ErrorReport::of(deviations, gaps))
 }
 
+/// The wire that [`simulate`] bends as the one of this number, from 0, alone: the commands are turned back for it only.
+///
+/// # Errors
+/// [`BadErrorTerm`] as there.
+pub fn wire_of_run(
+    input: &SimulationInput,
+    errors: &ErrorModel,
+    seed: u64,
+    run: u32,
+) -> Result<ImperfectWire, BadErrorTerm> {
+    for of in ErrorSource::ALL {
+        errors.term(of).check(of)?;
+    }
+    let formed = formed(input.program, input.compensation);
+    Ok(imperfect(input, &formed, &mut Draw::new(errors, seed, run)))
+}
+
 fn keep(all: &mut [Vec<f64>], found: &[f64]) {
     for (all, &distance) in all.iter_mut().zip(found) {
         all.push(distance);

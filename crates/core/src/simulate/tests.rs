@@ -151,6 +151,11 @@ fn more_wires_begin_with_the_same_ones() {
     let (few, many) = (drawn(7), drawn(STEPS_AT_ONCE / 4));
     assert_eq!((few.as_slice(), many.len()), (&many[..7], (STEPS_AT_ONCE / 4) as usize));
     assert!(many.windows(2).all(|pair| pair[0] != pair[1]));
+    // And each is the one that is bent alone.
+    for (run, wire) in (0..).zip(&few) {
+        let alone = with_input(&plan, &[], |input| wire_of_run(input, &errors, 4, run)).unwrap();
+        assert_eq!(&alone, wire, "wire {run}");
+    }
 }
 
 #[test]
