@@ -76,6 +76,18 @@ describe("a field for a length", () => {
     expect(committed).toEqual([]);
   });
 
+  it("does not close the dialog around it with the Escape that takes back what was typed", () => {
+    const field = show();
+    const pressed = () => new KeyboardEvent("keydown", { key: "Escape", bubbles: true, cancelable: true });
+    type(field, "99", "Shift");
+    const first = pressed();
+    act(() => void field.dispatchEvent(first));
+    expect(first.defaultPrevented).toBe(true);
+    const second = pressed();
+    act(() => void field.dispatchEvent(second));
+    expect(second.defaultPrevented).toBe(false);
+  });
+
   it("steps with the arrows, by ten with Shift, not beyond its limits", () => {
     const field = show({ max: 15 });
     act(() => void field.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowDown", bubbles: true })));

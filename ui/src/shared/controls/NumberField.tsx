@@ -167,6 +167,8 @@ export function NumberField({
       // A key that is held down asks once.
       if (entered !== null && !event.repeat) onEnter?.(entered);
     } else if (event.key === "Escape" && typed !== null) {
+      // It would close the dialog that the field is in.
+      event.preventDefault();
       event.stopPropagation();
       setTyped(null);
     } else if ((event.key === "ArrowUp" || event.key === "ArrowDown") && read !== null) {
