@@ -89,20 +89,115 @@ it("changes the source alone, and lists only what is changed", async () => {
   await dialog().getByText("All", { exact: true }).click();
 });
 
-it("edits the bodies that a wire can hit", async () => {
+/** The bodies of the profile as they are saved. */
+const saved = async () => (await view("my-bender")).shapes;
+const body = async (name: string) => (await saved()).find((shape) => shape.name === name);
+const bodyRow = (name: string) => dialog().locator(".body-row").filter({ hasText: name });
+const picture = () => dialog().locator(".bodies-picture canvas");
+/** The middle of the view, where the chosen body is once it is framed. */
+const middle = async () => {
+  const box = await picture().boundingBox();
+  if (!box) throw new Error("there is no view");
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+};
+const inView = (name: string) => dialog().getByRole("group", { name: "View of the machine" }).getByText(name);
+const look = async (side: string) => {
+  await inView(side).click();
+  await inView("Frame body").click();
+};
+const drag = async (from: { x: number; y: number }, by: readonly [number, number]) => {
+  const { mouse } = editor.page;
+  await mouse.move(from.x, from.y);
+  await mouse.down();
+  await mouse.move(from.x + by[0] / 2, from.y + by[1] / 2);
+  await mouse.move(from.x + by[0], from.y + by[1]);
+  await mouse.up();
+};
+
+it("chooses a body in the list and in the view, and shows its figures", async () => {
   await dialog()
-    .locator(".fold-head")
-    .filter({ hasText: /^Bodies/ })
+    .getByText(/^Bodies \(/)
     .click();
-  await dialog().getByRole("button", { name: "Figures of base" }).click();
+  await picture().waitFor();
+  await bodyRow("base").click();
+  await look("Front");
+  await inView("Frame all").click();
   const height = dialog().getByLabel("base, size Z, mm");
   await height.fill("14");
   await height.press("Enter");
-  await until(async () => (await view("my-bender")).shapes.find(({ name }) => name === "base")).toMatchObject({
-    solid: { box: { size_mm: [460, 200, 14] } },
-    measured: true,
-  });
+  await until(() => body("base")).toMatchObject({ solid: { box: { size_mm: [460, 200, 14] } }, measured: true });
+  expect((await body("base"))?.source).toMatch(/^measured by me on/);
+  await bodyRow("base").getByText("changed").waitFor();
+  // A click beside everything chooses nothing, one on the base the base.
+  await look("Front");
+  const at = await middle();
+  await editor.page.mouse.click(at.x, at.y + 120);
+  await height.waitFor({ state: "detached" });
+  await editor.page.mouse.click(at.x, at.y);
+  await height.waitFor();
   await editor.isClean("profile-bodies");
+});
+
+it("adds a box at the pin, moves it in the view, and its fields follow", async () => {
+  const before = (await saved()).length;
+  await dialog().getByRole("button", { name: "Box", exact: true }).click();
+  const x = dialog().getByLabel("box 1, middle X, mm");
+  await x.waitFor();
+  await until(async () => (await saved()).length).toBe(before + 1);
+  const [startX = 0, startY, startZ] = (await body("box 1"))?.at_mm ?? [];
+  await look("Front");
+  const at = await middle();
+  const { mouse } = editor.page;
+  // By the arrow of x, to the right: only x changes, and the field shows it before the button is let go.
+  await mouse.move(at.x + 40, at.y);
+  await mouse.down();
+  await mouse.move(at.x + 60, at.y + 15);
+  await mouse.move(at.x + 110, at.y + 15);
+  await until(async () => Number(await x.inputValue())).toBeGreaterThan(startX);
+  expect((await body("box 1"))?.at_mm).toEqual([startX, startY, startZ]);
+  const shown = Number(await x.inputValue());
+  await mouse.up();
+  await until(async () => (await body("box 1"))?.at_mm).toEqual([shown, startY, startZ]);
+  expect(Number.isInteger(shown)).toBe(true);
+  await dialog().getByRole("button", { name: "Undo the last change" }).click();
+  await until(async () => (await body("box 1"))?.at_mm).toEqual([startX, startY, startZ]);
+  await until(() => x.inputValue()).toBe(String(startX));
+  // A drag beside the gizmo turns the view.
+  await drag({ x: at.x + 5, y: at.y + 100 }, [40, 20]);
+  expect((await body("box 1"))?.at_mm).toEqual([startX, startY, startZ]);
+});
+
+it("moves a body by keys alone, and gives a move up without closing the editor", async () => {
+  const z = (await body("box 1"))?.at_mm[2] ?? 0;
+  await picture().focus();
+  await editor.keys("g", "z", "-", "1", "2", ".", "5", "Enter");
+  await until(async () => (await body("box 1"))?.at_mm[2]).toBeCloseTo(z - 12.5, 9);
+  await picture().focus();
+  await editor.keys("g", "y", "9", "Escape");
+  expect((await body("box 1"))?.at_mm[1]).toBe(0);
+  await dialog().getByLabel("box 1, middle Y, mm").waitFor();
+  await dialog().getByRole("button", { name: "Change the source of box 1" }).click();
+  await dialog().getByLabel("Source of box 1", { exact: true }).fill("drawing 7");
+  await dialog().getByText("Measured", { exact: true }).last().click();
+  await dialog().getByRole("button", { name: "Set source" }).click();
+  await until(() => body("box 1")).toMatchObject({ source: "drawing 7" });
+});
+
+it("follows what is typed before it is taken, and takes bodies back", async () => {
+  const shot = async () => (await picture().screenshot()).toString("base64");
+  await inView("Frame all").click();
+  const before = await shot();
+  const size = dialog().getByLabel("box 1, size X, mm");
+  await size.fill("160");
+  await until(async () => (await shot()) === before).toBe(false);
+  expect(await body("box 1")).toMatchObject({ solid: { box: { size_mm: [20, 20, 20] } } });
+  await size.press("Escape");
+  await dialog().getByRole("button", { name: "Remove box 1" }).click();
+  await until(() => body("box 1")).toBeUndefined();
+  await bodyRow("base").click();
+  await dialog().getByRole("button", { name: "Take back base" }).click();
+  await until(() => body("base")).toMatchObject({ solid: { box: { size_mm: [460, 200, 12] } }, measured: false });
+  await dialog().getByText("Values", { exact: true }).first().click();
 });
 
 it("gives the profile away as one file, and takes it in under another id", async () => {

@@ -5,41 +5,44 @@ import {
   BufferAttribute,
   type BufferGeometry,
   CylinderGeometry,
+  EdgesGeometry,
   Group,
   MathUtils,
   Matrix4,
   Mesh,
   Quaternion,
+  Raycaster,
   ShaderMaterial,
   Vector3,
 } from "three";
 import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import { GLSL, type Shared } from "../drawing/shading";
-import type { Theme } from "../drawing/theme";
+import type { Rgb, Theme } from "../drawing/theme";
 import type { MachineBody, Vec3 } from "../interface";
+import type { Ray } from "../vec";
 
 const VERTEX = /* glsl */ `
-attribute float touched;
-varying float vTouched;
+attribute float marked;
+varying float vMarked;
 varying vec3 vNormal;
 varying float vDepth;
 void main() {
   vec4 seen = modelViewMatrix * vec4(position, 1.0);
   vNormal = normalMatrix * normal;
-  vTouched = touched;
+  vMarked = marked;
   vDepth = -seen.z;
   gl_Position = projectionMatrix * seen;
 }`;
 
 const FRAGMENT = /* glsl */ `
 uniform vec3 colour;
-uniform vec3 red;
-varying float vTouched;
+uniform vec3 mark;
+varying float vMarked;
 varying vec3 vNormal;
 varying float vDepth;
 ${GLSL}
 void main() {
-  gl_FragColor = vec4(faded(lit(mix(colour, red, vTouched), normalize(vNormal)), vDepth, gl_FragCoord.xy), 1.0);
+  gl_FragColor = vec4(faded(lit(mix(colour, mark, vMarked), normalize(vNormal)), vDepth, gl_FragCoord.xy), 1.0);
 }`;
 
 type Part = MachineBody["part"];
@@ -56,11 +59,16 @@ export class Machine {
   /** mm along its own axis that the peg goes in by, so that the wire passes over it. */
   private stroke = 0;
   private readonly meshes: { part: Part; mesh: Mesh<BufferGeometry, ShaderMaterial> }[] = [];
-  /** For each body, by its place in the profile, where its corners are in the attribute that says whether it is touched. */
-  private readonly corners = new Map<number, { touched: BufferAttribute; from: number; to: number }>();
-  private touching: readonly number[] = [];
+  /** For each body, by its place in the profile, where its corners are in the attribute that says whether it is marked. */
+  private readonly corners = new Map<number, { marks: BufferAttribute; from: number; to: number }>();
+  private marked: readonly number[] = [];
 
-  constructor(private readonly uniforms: Shared) {
+  /** What is marked goes over into this colour, and how far, from 0 to 1. */
+  constructor(
+    private readonly uniforms: Shared,
+    private readonly markColour: (theme: Theme) => Rgb = ({ error }) => error,
+    private readonly markStrength = 1,
+  ) {
     this.group.add(this.head);
     this.head.add(this.peg);
   }
@@ -75,12 +83,12 @@ export class Machine {
       const solids = own.map(({ body }) => solid(body, part === "peg" ? orbit : 0));
       if (solids.length === 0) continue;
       const merged = mergeGeometries(solids);
-      const touched = new BufferAttribute(new Float32Array(merged.getAttribute("position").count), 1);
-      merged.setAttribute("touched", touched);
+      const marks = new BufferAttribute(new Float32Array(merged.getAttribute("position").count), 1);
+      merged.setAttribute("marked", marks);
       let from = 0;
       own.forEach(({ index }, place) => {
         const to = from + (solids[place]?.getAttribute("position").count ?? 0);
-        this.corners.set(index, { touched, from, to });
+        this.corners.set(index, { marks, from, to });
         from = to;
       });
       const mesh = new Mesh(merged, this.material());
@@ -90,30 +98,42 @@ export class Machine {
       this.meshes.push({ part, mesh });
     }
     this.paint(theme);
-    this.mark(this.touching, 1);
+    this.paintMarks(this.marked, this.markStrength);
   }
 
   paint(theme: Theme): void {
     for (const { part, mesh } of this.meshes) {
       (mesh.material.uniforms.colour?.value as Vector3 | undefined)?.set(...theme.machine[part]);
-      (mesh.material.uniforms.red?.value as Vector3 | undefined)?.set(...theme.error);
+      (mesh.material.uniforms.mark?.value as Vector3 | undefined)?.set(...this.markColour(theme));
     }
   }
 
-  /** The bodies that the wire touches, by their places in the profile. */
-  touch(bodies: readonly number[]): void {
-    if (bodies.join() === this.touching.join()) return;
-    this.mark(this.touching, 0);
-    this.mark(bodies, 1);
-    this.touching = bodies;
+  /** Marks bodies by their places in the profile, and no others. */
+  mark(bodies: readonly number[]): void {
+    if (bodies.join() === this.marked.join()) return;
+    this.paintMarks(this.marked, 0);
+    this.paintMarks(bodies, this.markStrength);
+    this.marked = bodies;
   }
 
-  private mark(bodies: readonly number[], value: number): void {
+  /** The first body on a ray, by its place in the profile. */
+  bodyOn({ origin, direction }: Ray): number | null {
+    this.group.updateMatrixWorld(true);
+    const ray = new Raycaster(new Vector3(...origin), new Vector3(...direction));
+    const [hit] = ray.intersectObjects<Mesh<BufferGeometry>>(this.meshes.map(({ mesh }) => mesh));
+    if (!hit?.face) return null;
+    const marks = hit.object.geometry.getAttribute("marked");
+    const { a } = hit.face;
+    const found = [...this.corners].find(([, own]) => own.marks === marks && own.from <= a && a < own.to);
+    return found?.[0] ?? null;
+  }
+
+  private paintMarks(bodies: readonly number[], value: number): void {
     for (const body of bodies) {
       const corners = this.corners.get(body);
       if (!corners) continue;
-      corners.touched.array.fill(value, corners.from, corners.to);
-      corners.touched.needsUpdate = true;
+      corners.marks.array.fill(value, corners.from, corners.to);
+      corners.marks.needsUpdate = true;
     }
   }
 
@@ -141,7 +161,7 @@ export class Machine {
     return new ShaderMaterial({
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
-      uniforms: { ...this.uniforms, colour: { value: new Vector3() }, red: { value: new Vector3() } },
+      uniforms: { ...this.uniforms, colour: { value: new Vector3() }, mark: { value: new Vector3() } },
     });
   }
 }
@@ -156,6 +176,18 @@ function solid({ shape, at, axis }: MachineBody, orbit: number): BufferGeometry 
 /** Along z; three.js makes it along y. */
 function cylinder(radius: number, length: number): BufferGeometry {
   return new CylinderGeometry(radius, radius, length, 40).rotateX(Math.PI / 2);
+}
+
+/** The edges of a body, where it is at its reference. */
+export function edgesOf(body: MachineBody): (readonly [Vec3, Vec3])[] {
+  const made = solid(body, 0);
+  const edges = new EdgesGeometry(made, 30);
+  made.dispose();
+  const places = edges.getAttribute("position");
+  const at = (index: number): Vec3 => [places.getX(index), places.getY(index), places.getZ(index)];
+  const lines = Array.from({ length: places.count / 2 }, (_, line) => [at(2 * line), at(2 * line + 1)] as const);
+  edges.dispose();
+  return lines;
 }
 
 /** The eight corners of the box around a body, where it is at its reference. */

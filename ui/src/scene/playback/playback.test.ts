@@ -190,7 +190,7 @@ it("draws what touches what red, each body alone, and all as before when nothing
   playback.play(played({ bodies: [...played().bodies, mark] }));
   playback.setTime(1.5, "designed");
   const touched = (part: string): number[] => [
-    ...(given(playback.group.getObjectByName(part)) as Mesh).geometry.getAttribute("touched").array,
+    ...(given(playback.group.getObjectByName(part)) as Mesh).geometry.getAttribute("marked").array,
   ];
   // A box has 24 corners: arm and mark are one mesh, the arm first.
   playback.setTouches([{ leg: 0, body: 2 }]);

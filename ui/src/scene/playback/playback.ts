@@ -173,7 +173,7 @@ export class Playback {
   /** What touches what, drawn red. */
   setTouches(touches: readonly Touch[]): void {
     this.touches = touches;
-    this.machine.touch(touches.flatMap(({ body }) => (body === null ? [] : [body])));
+    this.machine.mark(touches.flatMap(({ body }) => (body === null ? [] : [body])));
     this.update();
   }
 

@@ -1,8 +1,8 @@
 /** From where the design is seen, and what that view is called. */
 
-import type { DrawingPlane } from "../interface";
+import type { DrawingPlane, Tool } from "../interface";
 import { normalOf } from "../layers/grid";
-import type { Stage } from "../stage";
+import type { Camera } from "./camera";
 import { facingPlane, looking, type Orbit, squareness, type ViewName, viewOf } from "./orbit";
 import { afterKey } from "./view_keys";
 
@@ -23,6 +23,15 @@ const FACED = 0.5;
 /** Nearer to its edge than 8° a plane that is drawn on cannot be turned. */
 const EDGE_ON = 0.14;
 
+/** What is seen from there. */
+interface Turned {
+  readonly camera: Camera;
+  readonly tool: Tool;
+  readonly plane: DrawingPlane | null;
+  readonly playing: boolean;
+  viewMoved(): void;
+}
+
 export class Turning {
   private view: AnyView = "perspective";
   /** Where the plane that is drawn on was last seen from well. */
@@ -30,7 +39,7 @@ export class Turning {
 
   /** `named`: hears what the view is called now. */
   constructor(
-    private readonly stage: Stage,
+    private readonly stage: Turned,
     private readonly named: (name: string) => void,
   ) {}
 

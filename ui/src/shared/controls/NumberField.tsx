@@ -89,8 +89,11 @@ export interface NumberFieldProps {
   readonly value: number | null;
   /** Called with Enter, by leaving the field, and by the arrow keys; not while a person types. */
   readonly onCommit: (value: number) => void;
-  /** Called while a person types: with what is read, and with null where it is none, or is taken or given up. */
-  readonly onType?: (value: number | null) => void;
+  /**
+   * Called while a person types: with what is read, and with null where it is none, or is taken or given up. `isTyping` says which of
+   * these: what is half written may become a number with the next key.
+   */
+  readonly onType?: (value: number | null, isTyping: boolean) => void;
   readonly min?: number;
   readonly max?: number;
   readonly placeholder?: string;
@@ -124,7 +127,7 @@ export function NumberField({
   const inRange = (number: number | null) => (number !== null && number >= min && number <= max ? number : null);
   const setTyped = (text: string | null) => {
     keepTyped(text);
-    onType?.(text === null ? null : inRange(how.read(text)));
+    onType?.(text === null ? null : inRange(how.read(text)), text !== null);
   };
   /** A menu has taken the focus from it. */
   const [inMenu, setInMenu] = useState(false);

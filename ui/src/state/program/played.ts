@@ -60,7 +60,7 @@ function momentOf({ at, fed, bent, head_deg, bend_axis_deg, peg_out }: MomentRep
 }
 
 /** A body of a profile: it names the whole head, pins included. */
-function bodyOf({ name, part, solid, at_mm, axis }: Shape): MachineBody {
+export function bodyOf({ name, part, solid, at_mm, axis }: Shape): MachineBody {
   const shape: MachineBody["shape"] =
     "box" in solid
       ? { kind: "box", size: solid.box.size_mm }

@@ -1,208 +1,153 @@
-import { useState } from "react";
+import { useMemo, useState } from "react";
 import type { Shape } from "../../../generated/responses";
 import { Button } from "../../../shared/controls/Button";
-import { Select } from "../../../shared/controls/inputs";
-import { NumberField } from "../../../shared/controls/NumberField";
-import { count } from "../../../shared/figures/format";
-import { isOwn, SHAPES, setValue, takeBack, useProfile } from "../../../state/machine/profile";
-import { Fold } from "../Fold";
-import { CommitText } from "./ValueRow";
+import { Scrolls } from "../../../shared/lists/Scrolls";
+import { isOwn, reportOf, SHAPES, setValue, takeBack, useProfile } from "../../../state/machine/profile";
+import { bodyOf } from "../../../state/program/played";
+import { BodiesPicture } from "../../viewport/BodiesPicture";
+import { BodyForm } from "./BodyForm";
+import { newBody, parentOf, phraseOf, removedOf, stateOf } from "./bodies";
 
-const PARTS = [
-  { value: "frame", label: "Frame" },
-  { value: "head", label: "Turns with the head" },
-  { value: "peg", label: "Goes with the peg" },
-] as const;
-const AXES = ["X", "Y", "Z"] as const;
+/** A change of one body that is not written yet: typed, or dragged. */
+interface Draft {
+  readonly at: number;
+  readonly part: Partial<Shape>;
+}
 
-type Vec3 = Shape["at_mm"];
+const NONE: readonly Shape[] = [];
 
-const put = (vec: Vec3, axis: number, value: number): Vec3 =>
-  vec.map((old, at) => (at === axis ? value : old)) as unknown as Vec3;
+const withDraft = (shapes: readonly Shape[], draft: Draft | null): readonly Shape[] =>
+  draft ? shapes.map((shape, index) => (index === draft.at ? { ...shape, ...draft.part } : shape)) : shapes;
 
-/** The boxes and cylinders of a machine: what it looks like, and what a wire can hit. The list is set as a whole. */
+/**
+ * The boxes and cylinders of a machine, which a wire can hit: their list, the figures of the one that is chosen, and the machine in the
+ * view, where it is chosen and moved. The list is set as a whole, as profiles have it.
+ */
 export function Bodies({ why }: { readonly why: string | null }) {
   const view = useProfile((store) => store.view);
   const source = useProfile((store) => store.source);
   const refused = useProfile((store) => (store.refused?.key === SHAPES ? store.refused.message : null));
-  const shapes = view?.shapes ?? [];
+  const [chosen, setChosen] = useState<number | null>(null);
+  /** What is asked for and not written yet. */
+  const [asked, setAsked] = useState<readonly Shape[] | null>(null);
+  const [typed, setTyped] = useState<Draft | null>(null);
+  const [dragged, setDragged] = useState<Draft | null>(null);
+  const shapes = asked ?? view?.shapes ?? NONE;
+  const report = reportOf(view, SHAPES);
   const own = isOwn(view, SHAPES);
-  const set = (next: readonly Shape[]) => void setValue(SHAPES, next);
+  const parents = useMemo(
+    () => (own ? ((report?.instead_of?.value ?? NONE) as unknown as readonly Shape[]) : shapes),
+    [own, report, shapes],
+  );
+  const wire = view?.head?.wire_mm ?? 2;
+  const orbitOffset = view?.head?.peg?.orbit_offset_mm ?? 0;
+  const machine = useMemo(
+    () => ({ bodies: withDraft(shapes, typed).map(bodyOf), wireDiameter: wire, orbitOffset }),
+    [shapes, typed, wire, orbitOffset],
+  );
+  const set = (next: readonly Shape[]) => {
+    setTyped(null);
+    setDragged(null);
+    setAsked(next);
+    void setValue(SHAPES, next).finally(() => setAsked((now) => (now === next ? null : now)));
+  };
+  /** What is changed of a body comes from where the person says that it comes from. */
   const change = (at: number, part: Partial<Shape>) =>
-    set(
-      shapes.map((shape, index) =>
-        index === at ? { ...shape, ...part, source: source.text, measured: source.measured } : shape,
-      ),
-    );
-  const measured = shapes.filter((shape) => shape.measured).length;
+    set(withDraft(shapes, { at, part: { source: source.text, measured: source.measured, ...part } }));
+  const add = (solid: "box" | "cylinder") => {
+    set([...shapes, newBody(solid, shapes, wire, source)]);
+    setChosen(shapes.length);
+  };
+  const shown = chosen === null ? null : (withDraft(shapes, dragged)[chosen] ?? null);
+  const parent = shown && parentOf(shown, parents);
+  const removed = removedOf(shapes, parents);
   return (
-    <Fold
-      title="Bodies, for clearance"
-      phrase={shapes.length === 0 ? "none" : `${count(shapes.length, "body", "bodies")}, ${measured} measured`}
-    >
-      <p className="muted small">
-        The origin is where a bend begins, x the way the wire leaves, z the bend axis; the head at zero, the peg at 0°.
-      </p>
-      {own && !why && (
-        <div className="row">
-          <span className="value-changed">changed</span>
-          <Button kind="link" onClick={() => void takeBack(SHAPES)}>
-            Take back all bodies
-          </Button>
-        </div>
-      )}
-      {refused && (
-        <p className="field-below wrong" role="alert">
-          {refused}
-        </p>
-      )}
-      <ul className="bodies">
-        {shapes.map((shape, at) => (
-          // biome-ignore lint/suspicious/noArrayIndexKey: two bodies may have one name, and a name changes
-          <li key={at}>
-            <Body
-              shape={shape}
-              why={why}
-              onChange={(part) => change(at, part)}
-              onRemove={() => set(shapes.filter((_, index) => index !== at))}
-            />
-          </li>
-        ))}
-      </ul>
-      {!why && (
-        <div className="row">
-          {(["box", "cylinder"] as const).map((solid) => (
-            <Button
-              key={solid}
-              small
-              icon="plus"
-              onClick={() =>
-                set([
-                  ...shapes,
-                  {
-                    name: `new ${solid}`,
-                    part: "frame",
-                    solid:
-                      solid === "box"
-                        ? { box: { size_mm: [20, 20, 20] } }
-                        : { cylinder: { radius_mm: 5, length_mm: 20 } },
-                    at_mm: [-100, 0, 0],
-                    axis: [0, 0, 1],
-                    source: source.text,
-                    measured: source.measured,
-                  },
-                ])
-              }
-            >
-              {solid === "box" ? "Box" : "Cylinder"}
-            </Button>
-          ))}
-        </div>
-      )}
-    </Fold>
-  );
-}
-
-function Body({
-  shape,
-  why,
-  onChange,
-  onRemove,
-}: {
-  readonly shape: Shape;
-  readonly why: string | null;
-  readonly onChange: (part: Partial<Shape>) => void;
-  readonly onRemove: () => void;
-}) {
-  const [open, setOpen] = useState(false);
-  const { name, part, solid, at_mm, axis } = shape;
-  const vector = (label: string, vec: Vec3, onSet: (vec: Vec3) => void, kind: "fine" | "number" = "fine") => (
-    <div className="body-line">
-      <span className="muted">{label}</span>
-      {AXES.map((prefix, k) => (
-        <NumberField
-          key={prefix}
-          label={`${name}, ${label.toLowerCase()} ${prefix}`}
-          prefix={prefix}
-          kind={kind}
-          value={vec[k] ?? 0}
-          why={why}
-          onCommit={(value) => onSet(put(vec, k, value))}
-        />
-      ))}
-    </div>
-  );
-  const figure = (label: string, value: number, onSet: (value: number) => void) => (
-    <NumberField
-      label={`${name}, ${label}`}
-      prefix={label}
-      kind="fine"
-      min={0}
-      value={value}
-      why={why}
-      onCommit={onSet}
-    />
-  );
-  return (
-    <div className="body">
-      <div className="row">
-        <Button
-          kind="quiet"
-          icon={open ? "down" : "right"}
-          aria-expanded={open}
-          aria-label={`Figures of ${name}`}
-          onClick={() => setOpen(!open)}
-        />
-        <span className="grow ellipsis">{name}</span>
-        <span className="muted small">
-          {"box" in solid ? "box" : "cylinder"} · {PARTS.find(({ value }) => value === part)?.label.toLowerCase()} ·{" "}
-          {shape.measured ? "measured" : "estimate"}
-        </span>
-      </div>
-      {open && (
-        <div className="body-figures">
-          <div className="body-line two">
-            <span className="muted">Name</span>
-            <CommitText label="Name" value={name} why={why} onCommit={(text) => text && onChange({ name: text })} />
-            <Select
-              aria-label={`${name}, part`}
-              disabled={Boolean(why)}
-              choices={PARTS}
-              value={part}
-              onChoose={(chosen) => onChange({ part: chosen })}
-            />
-          </div>
-          {vector("Middle", at_mm, (vec) => onChange({ at_mm: vec }))}
-          {vector("Axis", axis, (vec) => onChange({ axis: vec }), "number")}
-          {"box" in solid ? (
-            vector("Size", solid.box.size_mm as Vec3, (vec) => onChange({ solid: { box: { size_mm: vec } } }))
-          ) : (
-            <div className="body-line two">
-              <span className="muted">Size</span>
-              {figure("radius", solid.cylinder.radius_mm, (radius_mm) =>
-                onChange({ solid: { cylinder: { ...solid.cylinder, radius_mm } } }),
-              )}
-              {figure("length", solid.cylinder.length_mm, (length_mm) =>
-                onChange({ solid: { cylinder: { ...solid.cylinder, length_mm } } }),
+    <div className="editor-columns bodies-columns">
+      <div className="bodies-side">
+        <Scrolls className="bodies-scroll" label="Bodies">
+          <ul className="bodies">
+            {shapes.map((shape, at) => {
+              const state = stateOf(shape, parents);
+              return (
+                // biome-ignore lint/suspicious/noArrayIndexKey: two bodies may have one name, and a name changes
+                <li key={at}>
+                  <button
+                    type="button"
+                    className="body-row"
+                    aria-pressed={at === chosen}
+                    onClick={() => setChosen(at === chosen ? null : at)}
+                  >
+                    <span className={`body-swatch ${shape.part}`} aria-hidden="true" />
+                    <span className="grow ellipsis">{shape.name}</span>
+                    {state && <span className="value-changed">{state}</span>}
+                    <span className="muted small">{phraseOf(shape)}</span>
+                  </button>
+                </li>
+              );
+            })}
+          </ul>
+          {shapes.length === 0 && <p className="muted">No bodies: nothing of this machine is checked for clearance.</p>}
+          {!why && (
+            <div className="row wrap">
+              <Button small icon="plus" onClick={() => add("box")}>
+                Box
+              </Button>
+              <Button small icon="plus" onClick={() => add("cylinder")}>
+                Cylinder
+              </Button>
+              <span className="grow" />
+              {own && removed.length > 0 && <span className="muted small">{removed.length} removed</span>}
+              {own && (
+                <Button kind="link" onClick={() => void takeBack(SHAPES)}>
+                  Take back all bodies
+                </Button>
               )}
             </div>
           )}
-          <div className="body-line two">
-            <span className="muted">May touch</span>
-            {figure("bent wire within", shape.contact_zone_mm ?? 0, (contact_zone_mm) => onChange({ contact_zone_mm }))}
-            {figure("a vertex within", shape.vertex_zone_mm ?? 0, (vertex_zone_mm) => onChange({ vertex_zone_mm }))}
-          </div>
-          <div className="row">
-            <span className="grow muted small ellipsis" title={shape.source}>
-              {shape.measured ? "Measured: " : ""}
-              {shape.source}
-            </span>
-            <Button small icon="trash" why={why} onClick={onRemove}>
-              Remove
-            </Button>
-          </div>
-        </div>
-      )}
+          {refused && (
+            <p className="field-below wrong" role="alert">
+              {refused}
+            </p>
+          )}
+          {shown && chosen !== null ? (
+            <BodyForm
+              key={chosen}
+              shape={shown}
+              why={why}
+              onChange={(part) => change(chosen, part)}
+              onType={(part) => setTyped(part && { at: chosen, part })}
+              onTakeBack={
+                parent && stateOf(shown, parents) === "changed"
+                  ? () => set(withDraft(shapes, { at: chosen, part: restored(parent) }))
+                  : null
+              }
+              onRemove={() => {
+                set(shapes.filter((_, index) => index !== chosen));
+                setChosen(null);
+              }}
+            />
+          ) : (
+            shapes.length > 0 && <p className="muted small">Choose a body here or in the view to see its figures.</p>
+          )}
+        </Scrolls>
+      </div>
+      <BodiesPicture
+        machine={machine}
+        chosen={chosen}
+        editable={!why}
+        onChoose={setChosen}
+        onDrag={(at, at_mm) => setDragged({ at, part: { at_mm: [...at_mm] } })}
+        onDrop={(at, at_mm) => change(at, { at_mm: [...at_mm] })}
+        onCancel={() => setDragged(null)}
+      />
     </div>
   );
 }
+
+/** All of a body as the parent has it, also what the parent leaves out. */
+const restored = (parent: Shape): Shape => ({
+  ...parent,
+  axis: parent.axis ?? [0, 0, 1],
+  contact_zone_mm: parent.contact_zone_mm ?? 0,
+  vertex_zone_mm: parent.vertex_zone_mm ?? 0,
+});

@@ -32,18 +32,22 @@ export function ProfileEditor() {
   const { open, view, problem } = useProfile();
   const [active, setActive] = useState<string | null>(null);
   const [only, setOnly] = useState<"all" | "changed">("all");
+  const [part, setPart] = useState<"values" | "bodies">("values");
   const [copying, setCopying] = useState(false);
   if (!open) return null;
   const { kind, id } = open;
   const groups = kind === "machine" ? MACHINE_GROUPS : MATERIAL_GROUPS;
   const name = view?.profile.name ?? id;
   const why = view?.shipped === false ? null : "This profile comes with the program. Copy it first.";
-  const keys = [...groups.flatMap(({ fields }) => fields.map(({ key }) => key)), SHAPES];
+  const keys = groups.flatMap(({ fields }) => fields.map(({ key }) => key));
+  const shapes = view?.shapes.length ?? 0;
+  const bodies = kind === "machine" && part === "bodies";
   const changed = keys.filter((key) => isOwn(view, key)).length;
   const parent = view?.profile.chain[1];
   const close = () => {
     setCopying(false);
     setOnly("all");
+    setPart("values");
     closeProfile();
   };
   const focused = (event: FocusEvent) =>
@@ -59,6 +63,17 @@ export function ProfileEditor() {
       {view && (
         <>
           <div className="editor-head">
+            {kind === "machine" && (
+              <Segmented
+                label="Part of the profile"
+                value={part}
+                choices={[
+                  { value: "values", label: "Values" },
+                  { value: "bodies", label: `Bodies (${shapes})${isOwn(view, SHAPES) ? ", changed" : ""}` },
+                ]}
+                onChoose={setPart}
+              />
+            )}
             {view.shipped ? (
               <>
                 <p className="grow">
@@ -75,15 +90,17 @@ export function ProfileEditor() {
                     ? `Inherits from ${parent.id}: what you do not change stays as it is there.`
                     : "Inherits from no other profile."}
                 </p>
-                <Segmented
-                  label="Values"
-                  value={only}
-                  choices={[
-                    { value: "all", label: "All" },
-                    { value: "changed", label: `Changed (${changed})` },
-                  ]}
-                  onChoose={setOnly}
-                />
+                {!bodies && (
+                  <Segmented
+                    label="Values"
+                    value={only}
+                    choices={[
+                      { value: "all", label: "All" },
+                      { value: "changed", label: `Changed (${changed})` },
+                    ]}
+                    onChoose={setOnly}
+                  />
+                )}
               </>
             )}
           </div>
@@ -98,32 +115,38 @@ export function ProfileEditor() {
               }}
             />
           )}
-          <div className={kind === "machine" ? "editor-columns" : "editor-columns one"}>
-            <Scrolls className="editor-values" label="Values">
-              {/* biome-ignore lint/a11y/noStaticElementInteractions: it only looks which of its fields is in use */}
-              <div onFocus={focused} onBlur={() => setActive(null)}>
-                {groups.map(({ title, fields }) => {
-                  const shown = fields.filter(({ key }) => only === "all" || isOwn(view, key));
-                  return shown.length === 0 ? null : (
-                    <fieldset key={title} className="value-group">
-                      <legend>{title}</legend>
-                      {shown.map((spec) => (
-                        <ValueRow key={`${id} ${spec.key}`} spec={spec} why={why} />
-                      ))}
-                    </fieldset>
-                  );
-                })}
-                {only === "changed" && changed === 0 && (
-                  <p className="muted">Nothing is changed against {parent?.id}.</p>
-                )}
-                {kind === "machine" && (only === "all" || isOwn(view, SHAPES)) && <Bodies why={why} />}
-              </div>
-            </Scrolls>
-            <aside className="editor-side" aria-label="Drawing and source">
-              {kind === "machine" && <HeadPicture head={view.head ?? null} active={active} />}
-              {!view.shipped && <Source />}
-            </aside>
-          </div>
+          {bodies ? (
+            <>
+              <Bodies key={id} why={why} />
+              {!view.shipped && <Source inline />}
+            </>
+          ) : (
+            <div className={kind === "machine" ? "editor-columns" : "editor-columns one"}>
+              <Scrolls className="editor-values" label="Values">
+                {/* biome-ignore lint/a11y/noStaticElementInteractions: it only looks which of its fields is in use */}
+                <div onFocus={focused} onBlur={() => setActive(null)}>
+                  {groups.map(({ title, fields }) => {
+                    const shown = fields.filter(({ key }) => only === "all" || isOwn(view, key));
+                    return shown.length === 0 ? null : (
+                      <fieldset key={title} className="value-group">
+                        <legend>{title}</legend>
+                        {shown.map((spec) => (
+                          <ValueRow key={`${id} ${spec.key}`} spec={spec} why={why} />
+                        ))}
+                      </fieldset>
+                    );
+                  })}
+                  {only === "changed" && changed === 0 && (
+                    <p className="muted">Nothing is changed against {parent?.id}.</p>
+                  )}
+                </div>
+              </Scrolls>
+              <aside className="editor-side" aria-label="Drawing and source">
+                {kind === "machine" && <HeadPicture head={view.head ?? null} active={active} />}
+                {!view.shipped && <Source />}
+              </aside>
+            </div>
+          )}
         </>
       )}
     </Dialog>
@@ -131,11 +154,12 @@ export function ProfileEditor() {
 }
 
 /** The source that the values take which are entered from now on. */
-function Source() {
+function Source({ inline = false }: { readonly inline?: boolean }) {
   const source = useProfile((store) => store.source);
   return (
-    <fieldset className="editor-source stack">
-      <legend>Source of what you enter</legend>
+    <fieldset className={inline ? "editor-source inline" : "editor-source stack"}>
+      <legend className={inline ? "visually-hidden" : undefined}>Source of what you enter</legend>
+      {inline && <span aria-hidden="true">Source of what you enter</span>}
       <TextInput
         aria-label="Source of what you enter"
         value={source.text}
@@ -145,7 +169,9 @@ function Source() {
       <Checkbox checked={source.measured} onChange={(measured) => enterSource({ ...source, measured })}>
         Measured on the machine or the wire
       </Checkbox>
-      <p className="muted small">Every value that you change takes it. A calibration trusts measured values more.</p>
+      {!inline && (
+        <p className="muted small">Every value that you change takes it. A calibration trusts measured values more.</p>
+      )}
     </fieldset>
   );
 }

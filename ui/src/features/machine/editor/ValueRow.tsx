@@ -1,12 +1,14 @@
 import { useId, useState } from "react";
 import type { ValueReport } from "../../../generated/responses";
 import { Button } from "../../../shared/controls/Button";
-import { Checkbox, Select, TextInput } from "../../../shared/controls/inputs";
+import { Checkbox, Select } from "../../../shared/controls/inputs";
 import { NumberField } from "../../../shared/controls/NumberField";
 import { useUnit } from "../../../shared/figures/unit";
 import { useMachines } from "../../../state/machine/machines";
 import { isOwn, type PlainValue, reportOf, setValue, takeBack, useProfile } from "../../../state/machine/profile";
+import { CommitText } from "./CommitText";
 import type { FieldSpec } from "./fields";
+import { SourceForm } from "./SourceForm";
 import { Springback } from "./Springback";
 import { beforeOf, sourceOf } from "./words";
 
@@ -62,7 +64,14 @@ export function ValueRow({ spec, why }: { readonly spec: FieldSpec; readonly why
           </Button>
         )}
       </div>
-      {editing && value && <SourceOf spec={spec} value={value} onDone={() => setEditing(false)} />}
+      {editing && value && (
+        <SourceForm
+          of={spec.label}
+          source={{ text: value.source ?? "", measured: value.measured ?? false }}
+          onSet={(source) => setValue(spec.key, value.value as PlainValue, source)}
+          onDone={() => setEditing(false)}
+        />
+      )}
     </fieldset>
   );
 }
@@ -152,87 +161,4 @@ function Control({
     case "springback":
       return <Springback why={why} />;
   }
-}
-
-/** A line of text that is taken with Enter or by leaving it. */
-export function CommitText({
-  label,
-  value,
-  placeholder,
-  why,
-  onCommit,
-}: {
-  readonly label: string;
-  readonly value: string;
-  readonly placeholder?: string;
-  readonly why?: string | null;
-  readonly onCommit: (text: string) => void;
-}) {
-  const [typed, setTyped] = useState<string | null>(null);
-  const commit = () => {
-    if (typed !== null && typed.trim() !== value) onCommit(typed.trim());
-    setTyped(null);
-  };
-  return (
-    <TextInput
-      aria-label={label}
-      value={typed ?? value}
-      placeholder={placeholder}
-      readOnly={Boolean(why)}
-      aria-disabled={why ? true : undefined}
-      title={why ?? undefined}
-      onChange={(event) => setTyped(event.currentTarget.value)}
-      onBlur={commit}
-      onKeyDown={(event) => {
-        if (event.key === "Enter") commit();
-        else if (event.key === "Escape" && typed !== null) {
-          event.preventDefault();
-          event.stopPropagation();
-          setTyped(null);
-        }
-      }}
-    />
-  );
-}
-
-/** Another source for a value that stays as it is. */
-function SourceOf({
-  spec,
-  value,
-  onDone,
-}: {
-  readonly spec: FieldSpec;
-  readonly value: ValueReport;
-  readonly onDone: () => void;
-}) {
-  const [text, setText] = useState(value.source ?? "");
-  const [measured, setMeasured] = useState(value.measured ?? false);
-  return (
-    <form
-      className="value-source-form inset stack"
-      onSubmit={(event) => {
-        event.preventDefault();
-        void setValue(spec.key, value.value as PlainValue, { text: text.trim(), measured }).then(onDone);
-      }}
-    >
-      <TextInput
-        aria-label={`Source of ${spec.label}`}
-        value={text}
-        autoFocus
-        onChange={(event) => setText(event.currentTarget.value)}
-      />
-      <div className="row">
-        <Checkbox checked={measured} onChange={setMeasured}>
-          Measured
-        </Checkbox>
-        <span className="grow" />
-        <Button small onClick={onDone}>
-          Cancel
-        </Button>
-        <Button small kind="primary" type="submit" why={text.trim() === "" ? "Say where the value comes from." : null}>
-          Set source
-        </Button>
-      </div>
-    </form>
-  );
 }
