@@ -306,6 +306,8 @@ requests! {
         CopyProfile(workspace::CopyProfile) -> ProfileNewResponse = Workspace::copy_profile, "copy-profile";
         /// A profile with what its editor needs.
         ProfileView(workspace::ProfileViewRequest) -> workspace::ProfileView = Workspace::profile_view, "profile-view";
+        /// How a bend head would be with values that are typed and not written yet.
+        DrawHead(workspace::HeadRequest) -> wirebend_planning::profiles::head::HeadReport = Workspace::head, "draw-head";
         /// Sets values of a profile of the person's own.
         SetProfile(workspace::SetProfile) -> workspace::ProfileView = Workspace::set_profile, "set-profile";
         /// Takes back values of a profile of the person's own, or its last change.

@@ -37,6 +37,17 @@ it("makes a machine of one's own from one that comes with the program", async ()
 
 it("takes a dimension with its source, draws it, and checks the open design at once", async () => {
   const program = await editor.loopback.ask("program", {});
+  const live = dialog().locator('.head-dimension[data-key="bend.orbit_radius_mm"]');
+  await field("bend.orbit_radius_mm").fill("25");
+  await live.getByText("R 25 mm").waitFor();
+  // What is no number leaves the drawing as it was, and what is given up is not drawn any more.
+  await field("bend.orbit_radius_mm").fill("25 x");
+  await field("bend.orbit_radius_mm").fill("");
+  await live.getByText("R 25 mm").waitFor();
+  await field("bend.orbit_radius_mm").fill("26");
+  await field("bend.orbit_radius_mm").press("Escape");
+  await live.getByText("R 20.4 mm").waitFor();
+  expect(await reportOf("bend.orbit_radius_mm")).toMatchObject({ value: 20.4, set_by: "wirebend-kit" });
   await enter("bend.orbit_radius_mm", "21,25");
   await row("bend.orbit_radius_mm").getByText("was 20.4 mm").waitFor();
   await row("bend.orbit_radius_mm").getByText("changed").waitFor();

@@ -674,6 +674,7 @@ export interface Requests {
   connect: ConnectMachine;
   "copy-profile": CopyProfile;
   discard: DiscardUnsaved;
+  "draw-head": HeadRequest;
   "driver-trust": DriverTrustRequest;
   drivers: DriversRequest;
   edit: EditDesign;
@@ -967,6 +968,32 @@ export interface CopyProfile {
  */
 export interface DiscardUnsaved {
   journal: string;
+}
+/**
+ * Asks how the bend head of a machine of the person's own would be with values that are typed and not written yet.
+ */
+export interface HeadRequest {
+  id: string;
+  /**
+   * As in [`ProfileViewRequest`].
+   */
+  material?: string | null;
+  values: NewValue[];
+}
+/**
+ * A value to set.
+ */
+export interface NewValue {
+  /**
+   * Dotted key.
+   */
+  key: string;
+  /**
+   * The plain value; of a figure without its source.
+   */
+  value: {
+    [k: string]: unknown;
+  };
 }
 /**
  * Which library to accept. A user who accepts it has to name its hash, which this command shows when it is
@@ -1554,21 +1581,6 @@ export interface SetProfile {
    */
   source: string;
   values: NewValue[];
-}
-/**
- * A value to set.
- */
-export interface NewValue {
-  /**
-   * Dotted key.
-   */
-  key: string;
-  /**
-   * The plain value; of a figure without its source.
-   */
-  value: {
-    [k: string]: unknown;
-  };
 }
 /**
  * Chooses the unit of the lengths in messages. Figures that are numbers stay in millimetres.

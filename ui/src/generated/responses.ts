@@ -1880,6 +1880,7 @@ export interface Responses {
   connect: MachineNow;
   "copy-profile": ProfileNewResponse;
   discard: Started;
+  "draw-head": HeadReport;
   "driver-trust": DriverTrustResponse;
   drivers: DriversResponse;
   edit: EditMade;
@@ -3801,6 +3802,49 @@ export interface ProfileNewResponse {
   kind: Kind;
 }
 /**
+ * A bend head from above. Frame: the origin is where a bend begins, x along the wire that comes, y to the side of a positive
+ * bend.
+ */
+export interface HeadReport {
+  /**
+   * Its peg; absent where the bend axis itself is the bend.
+   */
+  peg?: PegReport | null;
+  /**
+   * Radius of the pin that the wire wraps, mm.
+   */
+  pin_radius_mm: number;
+  /**
+   * Diameter of the wire, mm.
+   */
+  wire_mm: number;
+}
+/**
+ * The peg of a bend head.
+ */
+export interface PegReport {
+  /**
+   * Where it is while the wire is bent to a right angle, mm; null where it does not get there.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at_mm: [number, number] | null;
+  /**
+   * Where its axis is then, degrees; null likewise.
+   */
+  axis_deg: number | null;
+  /**
+   * Offset s of the orbit's centre along the wire, mm.
+   */
+  orbit_offset_mm: number;
+  /**
+   * Radius R of its orbit, mm.
+   */
+  orbit_radius_mm: number;
+  radius_mm: number;
+}
+/**
  * A library and whether it is accepted.
  */
 export interface DriverTrustResponse {
@@ -5339,49 +5383,6 @@ export interface ProfileView {
    * Whether it comes with the program: then it cannot be changed, but copied.
    */
   shipped: boolean;
-}
-/**
- * A bend head from above. Frame: the origin is where a bend begins, x along the wire that comes, y to the side of a positive
- * bend.
- */
-export interface HeadReport {
-  /**
-   * Its peg; absent where the bend axis itself is the bend.
-   */
-  peg?: PegReport | null;
-  /**
-   * Radius of the pin that the wire wraps, mm.
-   */
-  pin_radius_mm: number;
-  /**
-   * Diameter of the wire, mm.
-   */
-  wire_mm: number;
-}
-/**
- * The peg of a bend head.
- */
-export interface PegReport {
-  /**
-   * Where it is while the wire is bent to a right angle, mm; null where it does not get there.
-   *
-   * @minItems 2
-   * @maxItems 2
-   */
-  at_mm: [number, number] | null;
-  /**
-   * Where its axis is then, degrees; null likewise.
-   */
-  axis_deg: number | null;
-  /**
-   * Offset s of the orbit's centre along the wire, mm.
-   */
-  orbit_offset_mm: number;
-  /**
-   * Radius R of its orbit, mm.
-   */
-  orbit_radius_mm: number;
-  radius_mm: number;
 }
 /**
  * The program of the open design.

@@ -63,6 +63,15 @@ pub struct NewValue {
     pub value: Value,
 }
 
+/// Asks how the bend head of a machine of the person's own would be with values that are typed and not written yet.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct HeadRequest {
+    pub id: String,
+    pub values: Vec<NewValue>,
+    /// As in [`ProfileViewRequest`].
+    pub material: Option<String>,
+}
+
 /// Sets values of a profile of the person's own.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct SetProfile {
@@ -156,6 +165,13 @@ impl Workspace {
             shipped,
             file,
         })
+    }
+
+    pub(crate) fn head(&self, asked: &HeadRequest, _: &dyn Progress) -> Result<HeadReport, ApiError> {
+        let values: Vec<(&str, &Value)> =
+            asked.values.iter().map(|NewValue { key, value }| (key.as_str(), value)).collect();
+        let tried = set::tried(&self.installation(), Kind::Machine, &asked.id, &values)?;
+        Ok(tried.head(&asked.id, asked.material.as_deref())?)
     }
 
     pub(crate) fn set_profile(

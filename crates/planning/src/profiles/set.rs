@@ -94,16 +94,35 @@ pub fn set(
             before: found.map(|value| value.value.clone()).unwrap_or_default(),
             value: value.clone(),
         });
-        let value = if is_figure(&schema, key) && !value.is_object() && !value.is_null() {
-            sourced(&value, &request.source, request.measured)
-        } else {
-            value
-        };
-        profile.set(key, value)?;
+        profile.set(key, stated(&schema, key, value, (&request.source, request.measured)))?;
     }
     profile.check(app)?;
     let kind = profile.kind;
     Ok(ProfileSetResponse { id: request.id.clone(), kind, file: profile.save()?, created, values })
+}
+
+/// An installation in which a profile of the person's own has these values, by dotted key: nothing is written.
+pub fn tried(
+    app: &Installation,
+    kind: Kind,
+    id: &str,
+    values: &[(&str, &Value)],
+) -> Result<Installation, PlanningError> {
+    let mut profile = OwnProfile::open(app, kind, id)?;
+    let schema = schema(kind);
+    for (key, value) in values {
+        profile.set(key, stated(&schema, key, (*value).clone(), ("not written yet", false)))?;
+    }
+    app.with_profile(&profile)
+}
+
+/// A value as a file has it: of a figure with its source.
+fn stated(schema: &Value, key: &str, value: Value, (source, measured): (&str, bool)) -> Value {
+    if is_figure(schema, key) && !value.is_object() && !value.is_null() {
+        sourced(&value, source, measured)
+    } else {
+        value
+    }
 }
 
 /// Sets one value of a profile of the person's own as it is, without a source, or takes it out.

@@ -23,6 +23,7 @@ import {
   openProfile,
   setValue,
   takeBack,
+  typeDimension,
   useProfile,
 } from "./profile";
 import { profileView } from "./profile_testing";
@@ -94,4 +95,49 @@ it("says whether another id would help a file that is not taken in", async () =>
   expect(await importProfile("/a.json", null)).toEqual({ problem: "id-taken", taken: true });
   ask.mockResolvedValueOnce({ kind: "machine", id: "b", name: "B" });
   expect(await importProfile("/a.json", "b")).toEqual({ name: "B" });
+});
+
+const headOf = (orbit: number) => ({
+  wire_mm: 3,
+  pin_radius_mm: 1.5,
+  peg: { radius_mm: 3, orbit_radius_mm: orbit, orbit_offset_mm: 12, at_mm: null, axis_deg: null },
+});
+
+it("draws the head with what is typed: the last of it, though an earlier answer comes later", async () => {
+  await openProfile("machine", "mine");
+  const answers: ((orbit: number) => void)[] = [];
+  ask.mockImplementation((name: string) =>
+    name === "draw-head"
+      ? new Promise((answer) => answers.push((orbit) => answer(headOf(orbit))))
+      : Promise.resolve({}),
+  );
+  const both = [typeDimension("bend.orbit_radius_mm", 2), typeDimension("bend.orbit_radius_mm", 21)];
+  answers[1]?.(21);
+  answers[0]?.(2);
+  await Promise.all(both);
+  expect(useProfile.getState().typedHead?.peg?.orbit_radius_mm).toBe(21);
+  expect(asked("draw-head")[1]).toEqual({
+    id: "mine",
+    values: [{ key: "bend.orbit_radius_mm", value: 21 }],
+    material: "steel-1mm",
+  });
+  // What cannot be leaves it as it is; what is given up shows what is written.
+  ask.mockRejectedValueOnce(new Error("expected above 0"));
+  await typeDimension("bend.orbit_radius_mm", -3);
+  expect(useProfile.getState().typedHead?.peg?.orbit_radius_mm).toBe(21);
+  await typeDimension("bend.orbit_radius_mm", null);
+  expect(useProfile.getState().typedHead).toBeNull();
+  await typeDimension("limits.tail_mm", 3);
+  expect(asked("draw-head")).toHaveLength(3);
+});
+
+it("keeps drawing what was typed until it is written", async () => {
+  await openProfile("machine", "mine");
+  ask.mockImplementation(async (name: string) => (name === "draw-head" ? headOf(21) : profileView()));
+  await typeDimension("bend.orbit_radius_mm", 21);
+  const written = setValue("bend.orbit_radius_mm", 21);
+  await typeDimension("bend.orbit_radius_mm", null);
+  expect(useProfile.getState().typedHead).not.toBeNull();
+  await written;
+  expect(useProfile.getState().typedHead).toBeNull();
 });

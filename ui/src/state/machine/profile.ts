@@ -1,6 +1,6 @@
 import { create } from "zustand";
 import type { Requests } from "../../generated/requests";
-import type { ProfileView, ValueReport } from "../../generated/responses";
+import type { HeadReport, ProfileView, ValueReport } from "../../generated/responses";
 import { platform, Refused } from "../../platform";
 import { useDesign } from "../design/design";
 import { profilesChanged } from "./machines";
@@ -28,6 +28,8 @@ interface ProfileStore {
   readonly refused: { readonly key: string; readonly message: string } | null;
   readonly busy: boolean;
   readonly source: EnteredSource;
+  /** The bend head with a dimension that is typed and not written yet; null where none is. */
+  readonly typedHead: HeadReport | null;
 }
 
 /** "measured by me on 2026-11-26". */
@@ -41,6 +43,7 @@ export const useProfile = create<ProfileStore>()(() => ({
   refused: null,
   busy: false,
   source: { text: measuredToday(), measured: true },
+  typedHead: null,
 }));
 
 const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
@@ -54,7 +57,15 @@ function wireOf(kind: ProfileKind, id: string): { material?: string } {
 /** Opens the editor of a profile. */
 export async function openProfile(kind: ProfileKind, id: string): Promise<void> {
   const source = { text: measuredToday(), measured: true };
-  useProfile.setState({ open: { kind, id }, view: null, problem: null, refused: null, busy: false, source });
+  useProfile.setState({
+    open: { kind, id },
+    view: null,
+    problem: null,
+    refused: null,
+    busy: false,
+    source,
+    typedHead: null,
+  });
   try {
     const view = await platform.ask("profile-view", { kind, id, ...wireOf(kind, id) });
     if (useProfile.getState().open?.id === id) useProfile.setState({ view });
@@ -64,7 +75,7 @@ export async function openProfile(kind: ProfileKind, id: string): Promise<void> 
 }
 
 export function closeProfile(): void {
-  useProfile.setState({ open: null, view: null, problem: null, refused: null });
+  useProfile.setState({ open: null, view: null, problem: null, refused: null, typedHead: null });
 }
 
 export function enterSource(source: EnteredSource): void {
@@ -85,10 +96,13 @@ export const isOwn = (view: ProfileView | null, key: string): boolean =>
 
 // One after the other: each is written on what the one before has left.
 let last: Promise<unknown> = Promise.resolve();
+/** How many changes are asked for and not answered. */
+let openChanges = 0;
 
 function changed(key: string, ask: (kind: ProfileKind, id: string) => Promise<ProfileView>): Promise<boolean> {
   const { open } = useProfile.getState();
   if (!open) return Promise.resolve(false);
+  openChanges += 1;
   const change = last.then(async () => {
     useProfile.setState({ busy: true, refused: null });
     try {
@@ -100,7 +114,9 @@ function changed(key: string, ask: (kind: ProfileKind, id: string) => Promise<Pr
       useProfile.setState({ refused: { key, message: messageOf(error) } });
       return false;
     } finally {
+      openChanges -= 1;
       useProfile.setState({ busy: false });
+      showTyped(null);
     }
   });
   last = change;
@@ -119,6 +135,44 @@ export function setValue(key: string, value: PlainValue, source = useProfile.get
       ...wireOf(kind, id),
     }),
   );
+}
+
+/** The dimensions that the drawing of the head has. */
+const OF_HEAD: readonly string[] = [
+  "bend.pin_radius_mm",
+  "bend.rod_radius_mm",
+  "bend.orbit_radius_mm",
+  "bend.orbit_offset_mm",
+];
+
+/** Counts what is typed: an answer to what was typed before is too late. */
+let typedTimes = 0;
+
+function showTyped(typedHead: HeadReport | null): void {
+  typedTimes += 1;
+  if (useProfile.getState().typedHead !== typedHead) useProfile.setState({ typedHead });
+}
+
+/**
+ * Draws the head with a dimension while it is typed; null ends that. What cannot be leaves the drawing as it was, and what is being
+ * written is drawn until it is.
+ */
+export async function typeDimension(key: string, value: number | null): Promise<void> {
+  const { open } = useProfile.getState();
+  if (open?.kind !== "machine" || !OF_HEAD.includes(key)) return;
+  if (value === null) {
+    if (openChanges === 0) showTyped(null);
+    return;
+  }
+  typedTimes += 1;
+  const mine = typedTimes;
+  try {
+    const values = [{ key, value: value as unknown as JsonValue }];
+    const head = await platform.ask("draw-head", { id: open.id, values, ...wireOf("machine", open.id) });
+    if (mine === typedTimes) showTyped(head);
+  } catch {
+    // It is said when the value is to be taken.
+  }
 }
 
 /** Makes values as they are in the parent again. */

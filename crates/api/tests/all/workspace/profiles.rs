@@ -52,6 +52,26 @@ fn a_dimension_of_a_copy_is_set_with_its_source_and_taken_back() {
     assert_eq!(again["has_last_change"], true);
 }
 
+/// The drawing of the head follows what is typed, by the same rules as what is written, and the file stays as it is.
+#[test]
+fn the_head_is_drawn_with_values_that_are_not_written() {
+    let window = Window::new();
+    let copy = json!({"kind": "machine", "from": "wirebend-kit", "id": "mine", "name": "Mine"});
+    window.ask("copy-profile", copy);
+    let view = window.ask("profile-view", json!({"kind": "machine", "id": "mine"}));
+    let file = std::fs::read(view["file"].as_str().unwrap()).unwrap();
+    let typed =
+        |value: f64| json!({"id": "mine", "values": [{"key": "bend.orbit_radius_mm", "value": value}]});
+    let head = window.ask("draw-head", typed(30.0));
+    assert_eq!(head["peg"]["orbit_radius_mm"], 30.0);
+    // At a right angle the peg touches the outside of the leg: 1.5 mm pin, 3 mm wire, 3.175 mm peg.
+    assert!((head["peg"]["at_mm"][0].as_f64().unwrap() - 7.675).abs() < 1e-9);
+    let (x, y) = (7.675 - 12.0, head["peg"]["at_mm"][1].as_f64().unwrap());
+    assert!((f64::hypot(x, y) - 30.0).abs() < 1e-9, "it is on the orbit that was typed");
+    assert_eq!(window.try_ask("draw-head", typed(-1.0)).unwrap_err().code, "profile-rule");
+    assert_eq!(std::fs::read(view["file"].as_str().unwrap()).unwrap(), file);
+}
+
 /// A springback that was measured takes the place of a table as a whole, and a list of bodies that of the parent's.
 #[test]
 fn values_that_are_replaced_as_a_whole_are_set_as_a_whole() {

@@ -53,7 +53,11 @@ it("marks what is changed, with what it was, where it comes from, and the way ba
 
 it("shows a refusal at the value that was refused", async () => {
   await show();
-  ask.mockRejectedValueOnce(new Error("bend.orbit_radius_mm is -3, expected above 0"));
+  ask.mockImplementation((name: string) =>
+    name === "set-profile" || name === "draw-head"
+      ? Promise.reject(new Error("bend.orbit_radius_mm is -3, expected above 0"))
+      : Promise.resolve({}),
+  );
   await type(row("bend.orbit_radius_mm")?.querySelector("input"), "-3");
   expect(row("bend.orbit_radius_mm")?.querySelector('[role="alert"]')?.textContent).toContain("expected above 0");
 });

@@ -29,7 +29,7 @@ import "./editor.css";
 
 /** The editor of the profile that is open: its values as forms, each with its source, and the head of a machine to scale. */
 export function ProfileEditor() {
-  const { open, view, problem } = useProfile();
+  const { open, view, problem, typedHead } = useProfile();
   const [active, setActive] = useState<string | null>(null);
   const [only, setOnly] = useState<"all" | "changed">("all");
   const [part, setPart] = useState<"values" | "bodies">("values");
@@ -142,7 +142,7 @@ export function ProfileEditor() {
                 </div>
               </Scrolls>
               <aside className="editor-side" aria-label="Drawing and source">
-                {kind === "machine" && <HeadPicture head={view.head ?? null} active={active} />}
+                {kind === "machine" && <HeadPicture head={typedHead ?? view.head ?? null} active={active} />}
                 {!view.shipped && <Source />}
               </aside>
             </div>

@@ -5,7 +5,15 @@ import { Checkbox, Select } from "../../../shared/controls/inputs";
 import { NumberField } from "../../../shared/controls/NumberField";
 import { useUnit } from "../../../shared/figures/unit";
 import { useMachines } from "../../../state/machine/machines";
-import { isOwn, type PlainValue, reportOf, setValue, takeBack, useProfile } from "../../../state/machine/profile";
+import {
+  isOwn,
+  type PlainValue,
+  reportOf,
+  setValue,
+  takeBack,
+  typeDimension,
+  useProfile,
+} from "../../../state/machine/profile";
 import { CommitText } from "./CommitText";
 import type { FieldSpec } from "./fields";
 import { SourceForm } from "./SourceForm";
@@ -106,6 +114,10 @@ function Control({
           value={typeof plain === "number" ? plain : null}
           placeholder={placeholder}
           why={why}
+          onType={(typed, isTyping) => {
+            // What is half written may become a number with the next key.
+            if (typed !== null || !isTyping) void typeDimension(spec.key, typed);
+          }}
           onCommit={set}
         />
       );
