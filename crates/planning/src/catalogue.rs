@@ -93,7 +93,7 @@ pub fn machines(
             has_peg: matches!(figures.bend, BendFigures::Peg { .. }),
             formats: profile.export.formats.clone().unwrap_or_default(),
             native: profile.export.native.clone(),
-            default_material: profile.default_material.clone().unwrap_or_default(),
+            default_material: profile.default_material.as_deref().cloned().unwrap_or_default(),
             bend_deg: [figures.limits.min_bend_deg, figures.limits.max_bend_deg],
             min_edge_mm: figures.limits.min_edge_mm,
             diameter_mm: [figures.min_diameter_mm, figures.max_diameter_mm],
@@ -165,6 +165,7 @@ pub fn strut_builders(app: &Installation) -> Result<Vec<StrutBuilderEntry>, Plan
     let concrete = app.library.strut_builders().into_iter().filter(|listing| !listing.is_abstract);
     let entry = |listing: Listing| {
         let default_material = app.library.strut_builder(&listing.id)?.profile.default_material;
+        let default_material = default_material.map(|own| own.value);
         Ok(StrutBuilderEntry { id: listing.id, name: listing.name, default_material })
     };
     concrete.map(entry).collect()

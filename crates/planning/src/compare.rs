@@ -189,7 +189,8 @@ pub fn compare(
     for (id, machine) in request.against.iter().zip(others) {
         let choices = PlanChoices { machine: Some(id.clone()), ..request.choices.clone() };
         let (mut other, fits) = beside(&choices)?;
-        let own = machine.profile.default_material.filter(|own| !fits && *own != other.side.material);
+        let own = machine.profile.default_material.map(|own| own.value);
+        let own = own.filter(|own| !fits && *own != other.side.material);
         if own.is_some() {
             other.own_wire = Some(Box::new(beside(&PlanChoices { material: own, ..choices })?.0));
         }

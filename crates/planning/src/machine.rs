@@ -41,7 +41,7 @@ impl crate::Installation {
     /// A machine and a material by id; without a material the one that the machine names.
     pub fn setup(&self, machine: &str, material: Option<&str>) -> Result<Setup, PlanningError> {
         let machine = self.library.machine(machine)?;
-        let own = machine.profile.default_material.as_deref().unwrap_or_default();
+        let own = machine.profile.default_material.as_deref().map_or("", String::as_str);
         let material = self.library.material(material.unwrap_or(own))?;
         self.completed(machine, material)
     }

@@ -65,7 +65,7 @@ pub use profile::{Profile, to_text};
 pub use resolved::Resolved;
 pub use schema::{schema, schema_files};
 pub use shape::{Part, Shape, Solid};
-pub use sourced::{Reference, Sign, Sourced};
+pub use sourced::{Noted, Reference, Sign, Sourced};
 pub use strut_builder::{
     ApproachAngles, BuildSpeed, HeadDirections, HeadPoint, StrutBuilderProfile, StrutBuilderTag,
     StrutProcess, ToolHead, Workspace,

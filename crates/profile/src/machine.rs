@@ -7,7 +7,7 @@ use serde_json::{Map, Value};
 use crate::heading::profile;
 use crate::profile::layer;
 use crate::shape::Shape;
-use crate::sourced::{Sign, Sourced};
+use crate::sourced::{Noted, Sign, Sourced};
 
 profile! {
     /// A wire bender: driver, export formats, limits, axes, compensation and sign conventions.
@@ -22,7 +22,7 @@ profile! {
         /// Which files can be written for it.
         pub export: Export,
         /// Id of the material that a new document starts with.
-        pub default_material: Option<String>,
+        pub default_material: Option<Noted<String>>,
         /// Wire that fits.
         pub wire: Wire,
         /// What may be asked of the machine.
@@ -42,7 +42,7 @@ profile! {
         /// What the machine looks like, and what a wire can hit.
         pub shapes: Option<Vec<Shape>>,
         /// Id of the noise profile that simulations of this machine use.
-        pub error: Option<String>,
+        pub error: Option<Noted<String>>,
     }
 }
 
@@ -147,7 +147,7 @@ layer! {
     /// Bend axis and its geometry. The centreline radius of a bend is pin radius plus wire radius.
     pub struct Bend {
         /// How the axis makes an angle.
-        pub method: BendMethod,
+        pub method: Noted<BendMethod>,
         /// Speed, degrees a second.
         pub rate_deg_per_s: Sourced<f64>,
         /// Smallest step that can be commanded, degrees.
@@ -165,7 +165,7 @@ layer! {
         pub axis_limit_deg: Sourced<f64>,
         /// Peg: whether the controller can be told to which side it bends, so that the axis of a small bend may stop at zero or
         /// before it, short of where the peg comes out; absent: no.
-        pub before_zero: bool,
+        pub before_zero: Noted<bool>,
         /// Torque that the axis has for the wire, newton metres; absent: not known.
         pub torque_n_m: Sourced<f64>,
     }
@@ -175,11 +175,11 @@ layer! {
     /// What is compensated for the machine by default.
     pub struct Compensation {
         /// Bend deduction of the feeds.
-        pub feed: bool,
+        pub feed: Noted<bool>,
         /// Setback of the peg.
-        pub setback: bool,
+        pub setback: Noted<bool>,
         /// Springback of the wire; false where the machine does it itself.
-        pub springback: bool,
+        pub springback: Noted<bool>,
     }
 }
 
@@ -187,9 +187,9 @@ layer! {
     /// Machine value = sign times canonical value.
     pub struct Signs {
         /// Of the bend axis.
-        pub bend: Sign,
+        pub bend: Noted<Sign>,
         /// Of the rotate axis.
-        pub rotate: Sign,
+        pub rotate: Noted<Sign>,
         /// How the machine's own frame lies and how the signs were found.
         pub note: String,
     }

@@ -53,7 +53,7 @@ impl Profile for MachineProfile {
 
     fn required(&self) -> Vec<(&'static str, &'static str)> {
         let mut keys = REQUIRED.to_vec();
-        if self.bend.method == Some(BendMethod::Peg) {
+        if self.bend.method.as_deref() == Some(&BendMethod::Peg) {
             keys.extend(PEG);
         }
         keys
@@ -70,8 +70,9 @@ impl Profile for MachineProfile {
     }
 
     fn references(&self) -> Vec<(&'static str, Kind, &str)> {
-        let material = self.default_material.iter().map(|id| ("default_material", Kind::Material, &**id));
-        let noise = self.error.iter().map(|id| ("error", Kind::Noise, &**id));
+        let material =
+            self.default_material.iter().map(|id| ("default_material", Kind::Material, id.value.as_str()));
+        let noise = self.error.iter().map(|id| ("error", Kind::Noise, id.value.as_str()));
         material.chain(noise).collect()
     }
 }

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::heading::profile;
-use crate::sourced::Sourced;
+use crate::sourced::{Noted, Sourced};
 
 profile! {
     /// A wire: diameter, neutral fibre, springback, stiffness, strength, density, price.
@@ -43,8 +43,7 @@ profile! {
         /// Price of a millimetre of wire in `currency`.
         pub price_per_mm: Option<Sourced<f64>>,
         /// ISO 4217 code of the price.
-        #[schemars(regex(pattern = r"^[A-Z]{3}$"))]
-        pub currency: Option<String>,
+        pub currency: Option<Noted<String>>,
     }
 }
 

@@ -55,7 +55,7 @@ impl Profile for MaterialProfile {
         if let Some(code) = &self.currency
             && !(code.len() == 3 && code.bytes().all(|byte| byte.is_ascii_uppercase()))
         {
-            faults.push(Fault::new("currency", code, "three capital letters (ISO 4217)"));
+            faults.push(Fault::new("currency", &code.value, "three capital letters (ISO 4217)"));
         }
         match &self.springback {
             Some(Springback::Constant { angle_deg }) => {

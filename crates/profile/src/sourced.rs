@@ -1,9 +1,12 @@
 //! Figures that say where they come from, and other small values of profiles.
 
 use std::borrow::Cow;
+use std::ops::Deref;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::{Deserialize, Serialize};
+use serde::de::{DeserializeOwned, Error};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::Value;
 
 /// A figure with its source. Replaced whole by a child profile, so that a new value never keeps
 /// an old source.
@@ -19,6 +22,66 @@ pub struct Sourced<T> {
     /// True when it was measured on the real machine or wire; false for a stated, derived or
     /// estimated figure.
     pub measured: bool,
+}
+
+/// A value that is no figure, such as a sign or a choice. In a file it is an object like that of a [`Sourced`]; the plain value,
+/// which says nothing of where it comes from, is taken too, as files have it that were written before these values had sources.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Noted<T> {
+    /// The value.
+    pub value: T,
+    /// Where it comes from; `None` where the file does not say.
+    pub source: Option<String>,
+    /// As of a [`Sourced`]; false without a source.
+    pub measured: bool,
+}
+
+impl<T> Deref for Noted<T> {
+    type Target = T;
+
+    fn deref(&self) -> &T {
+        &self.value
+    }
+}
+
+impl<T: Serialize> Serialize for Noted<T> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        match &self.source {
+            None => self.value.serialize(to),
+            Some(source) => {
+                let source = source.clone();
+                Sourced { value: &self.value, source, measured: self.measured }.serialize(to)
+            }
+        }
+    }
+}
+
+impl<'de, T: DeserializeOwned> Deserialize<'de> for Noted<T> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        let value = Value::deserialize(from)?;
+        if value.is_object() {
+            let Sourced { value, source, measured } =
+                serde_json::from_value::<Sourced<T>>(value).map_err(D::Error::custom)?;
+            return Ok(Self { value, source: Some(source), measured });
+        }
+        let value = serde_json::from_value(value).map_err(D::Error::custom)?;
+        Ok(Self { value, source: None, measured: false })
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for Noted<T> {
+    fn schema_name() -> Cow<'static, str> {
+        format!("Noted_{}", T::schema_name()).into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let stated = generator.subschema_for::<Sourced<T>>();
+        let plain = generator.subschema_for::<T>();
+        json_schema!({
+            "description": "A value with its source; the plain value is taken too.",
+            "anyOf": [stated, plain]
+        })
+    }
 }
 
 /// A publication that the `source` texts of a profile refer to.

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::heading::profile;
 use crate::profile::layer;
-use crate::sourced::Sourced;
+use crate::sourced::{Noted, Sourced};
 
 profile! {
     /// A machine that builds a frame strut by strut: an extruder, a welder or a gripper on an arm.
@@ -16,9 +16,9 @@ profile! {
         /// A few sentences: what machine this is, what was and was not verified.
         description;
         /// How a strut comes to be.
-        pub process: Option<StrutProcess>,
+        pub process: Option<Noted<StrutProcess>>,
         /// Id of the material that struts are made of unless a person asks otherwise.
-        pub default_material: Option<String>,
+        pub default_material: Option<Noted<String>>,
         /// The tool, from its tip. Replaced whole by a child.
         pub head: Option<ToolHead>,
         /// Which directions of the tool's axis are tried.
@@ -37,7 +37,7 @@ profile! {
         /// Where the tip can be; absent: everywhere. Replaced whole by a child.
         pub workspace: Option<Workspace>,
         /// Whether the struts that stand on the ground are built before all others.
-        pub ground_first: Option<bool>,
+        pub ground_first: Option<Noted<bool>>,
     }
 }
 

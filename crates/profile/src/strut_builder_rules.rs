@@ -58,7 +58,10 @@ impl Profile for StrutBuilderProfile {
     }
 
     fn references(&self) -> Vec<(&'static str, Kind, &str)> {
-        self.default_material.iter().map(|id| ("default_material", Kind::Material, &**id)).collect()
+        self.default_material
+            .iter()
+            .map(|id| ("default_material", Kind::Material, id.value.as_str()))
+            .collect()
     }
 }
 

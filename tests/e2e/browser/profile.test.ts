@@ -87,6 +87,20 @@ it("moves nothing when a value is changed, refused or taken back", async () => {
   await row("limits.min_edge_mm").getByText("changed").waitFor({ state: "detached" });
 });
 
+it("says where a sign comes from, and takes a source for what the parent has", async () => {
+  await row("signs.bend").getByText("The firmware of this program").waitFor();
+  await row("signs.bend")
+    .getByRole("button", { name: /^Change the source/ })
+    .click();
+  await row("signs.bend").getByRole("button", { name: "Measured by me today" }).click();
+  await row("signs.bend").getByRole("button", { name: "Set source" }).click();
+  await row("signs.bend").getByText("changed").waitFor();
+  expect(await reportOf("signs.bend")).toMatchObject({ value: 1, measured: true, set_by: "my-bender" });
+  expect((await reportOf("signs.bend"))?.source).toMatch(/^measured by me on/);
+  await dialog().getByRole("button", { name: "Take back Bend", exact: true }).click();
+  await row("signs.bend").getByText("changed").waitFor({ state: "detached" });
+});
+
 it("changes the source alone, and lists only what is changed", async () => {
   await row("bend.orbit_radius_mm")
     .getByRole("button", { name: /^Change the source/ })
@@ -253,6 +267,12 @@ it("edits a wire: its springback as one angle or as a table", async () => {
     { angle_deg: 30, loss_deg: 9.5 },
     { angle_deg: 120, loss_deg: 11 },
   ]);
+  await row("springback")
+    .getByRole("button", { name: /^Change the source/ })
+    .click();
+  await dialog().getByLabel("Source of Springback", { exact: true }).fill("two coupons");
+  await dialog().getByRole("button", { name: "Set source" }).click();
+  await row("springback").getByText("Measured: two coupons").waitFor();
   await editor.isClean("profile-wire");
   await dialog().getByRole("button", { name: "Done" }).click();
 });

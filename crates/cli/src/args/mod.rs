@@ -334,7 +334,7 @@ pub(crate) enum ProfileCommand {
         /// Profile to change, by id
         #[arg(value_name = "ID")]
         id: String,
-        /// Values to set, with dotted keys
+        /// Values to set, with dotted keys; `shapes.NAME={…}` is one body of a machine, of which the keys that are named change, and null takes it out
         #[arg(value_name = "KEY=VALUE", required = true)]
         values: Vec<String>,
         /// Where the values come from

@@ -194,6 +194,75 @@ fn a_profile_goes_from_one_person_to_another() {
     assert!(said.contains("missing.json"), "{said}");
 }
 
+/// Signs, choices, bodies and springback take a source from the command as figures do: nothing has to be written by hand.
+#[test]
+fn every_value_takes_its_source_from_the_command() {
+    let folder = tempfile::tempdir().unwrap();
+    let set = |id: &str, kind: &str, values: &[&str]| {
+        let source = ["--kind", kind, "--source", "bent and looked", "--measured"];
+        run_in(folder.path(), &[&["profile", "set", id], values, &source].concat(), b"")
+    };
+    let values = [
+        "signs.bend=-1",
+        "bend.before_zero=false",
+        "compensation.setback=true",
+        "bend.method=peg",
+        "default_material=steel-3mm",
+    ];
+    set("mine", "machine", &[&["--from", "wirebend-kit"], &values[..]].concat()).ended(0);
+    let explained = |id: &str, kind: &str| {
+        let arguments = ["profile", "explain", id, "--kind", kind, "--json"];
+        run_in(folder.path(), &arguments, b"").ended(0).json()["values"].clone()
+    };
+    let value = |values: &serde_json::Value, key: &str| {
+        values.as_array().unwrap().iter().find(|value| value["key"] == key).unwrap().clone()
+    };
+    let machine = explained("mine", "machine");
+    for given in values {
+        let (key, _) = given.split_once('=').unwrap();
+        let stated = value(&machine, key);
+        assert_eq!(
+            (&stated["source"], &stated["measured"]),
+            (&"bent and looked".into(), &true.into()),
+            "{key}"
+        );
+    }
+
+    // One body of ten, by the keys that change; another is new, a third is gone.
+    let count = |values: &serde_json::Value| value(values, "shapes")["value"].as_array().unwrap().len();
+    let before = count(&machine);
+    let bodies = [
+        "shapes.arm of the peg={\"at_mm\": [12, 1, -20]}",
+        "shapes.lamp={\"part\": \"frame\", \"solid\": {\"box\": {\"size_mm\": [9, 9, 9]}}, \"at_mm\": [0, 0, 200]}",
+        "shapes.base=null",
+    ];
+    set("mine", "machine", &bodies).ended(0);
+    let after = explained("mine", "machine");
+    assert_eq!(count(&after), before);
+    let after = value(&after, "shapes")["value"].clone();
+    let body = |name: &str| after.as_array().unwrap().iter().find(|body| body["name"] == name).cloned();
+    let arm = body("arm of the peg").unwrap();
+    assert_eq!((&arm["source"], &arm["measured"]), (&"bent and looked".into(), &true.into()));
+    assert_eq!(arm["at_mm"], serde_json::json!([12.0, 1.0, -20.0]));
+    assert_eq!(arm["part"], "peg", "what was not named stays");
+    assert_eq!(body("lamp").unwrap()["source"], "bent and looked");
+    assert_eq!(body("base"), None);
+    let refused = set("mine", "machine", &["shapes.nothing=null"]).ended(2).err;
+    assert!(refused.contains("'nothing'") && refused.contains("a body that the machine has"), "{refused}");
+    set("mine", "machine", &["shapes.lamp={\"at_mm\": 3}"]).ended(3);
+
+    let table = "springback={\"model\": \"table\", \"positive\": [{\"angle_deg\": 0, \"loss_deg\": 1}, {\"angle_deg\": 90, \"loss_deg\": 2}]}";
+    set("spool", "material", &["--from", "steel-1mm", table, "currency=EUR"]).ended(0);
+    let wire = explained("spool", "material");
+    for key in ["springback.positive", "currency"] {
+        assert_eq!(value(&wire, key)["source"], "bent and looked", "{key}");
+    }
+    set("spool", "material", &["springback={\"model\": \"constant\", \"angle_deg\": 3.5}"]).ended(0);
+    let wire = explained("spool", "material");
+    assert_eq!(value(&wire, "springback.angle_deg")["source"], "bent and looked");
+    assert_eq!(value(&wire, "springback.angle_deg")["value"], 3.5);
+}
+
 /// Who has typed a wrong dimension gets the one of before back, also where they no longer know what it was.
 #[test]
 fn a_value_or_the_last_change_is_taken_back() {

@@ -70,7 +70,8 @@ pub fn apply(
     // The wire first: the machine names it.
     material.check(app)?;
     let with_material = app.with_profile(&material)?;
-    machine.set("default_material", json!(request.material_id))?;
+    let source = "the wire that it was calibrated with";
+    machine.set("default_material", sourced(&json!(request.material_id), source, false))?;
     machine.check(&with_material)?;
     Ok(CalibrateApplyResponse {
         machine: request.machine_id.clone(),

@@ -53,7 +53,8 @@ impl Installation {
         }
         match (own, machine) {
             (None, Some(machine)) => {
-                self.material_of(self.library.machine(&machine)?.profile.default_material.as_deref())
+                let own = self.library.machine(&machine)?.profile.default_material;
+                self.material_of(own.as_deref().map(String::as_str))
             }
             (own, _) => self.material_of(own.as_deref()),
         }

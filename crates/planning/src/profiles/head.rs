@@ -42,7 +42,7 @@ impl Installation {
     /// The head of a machine with a wire in it; without a wire the machine's own.
     pub fn head(&self, machine: &str, material: Option<&str>) -> Result<HeadReport, PlanningError> {
         let machine = self.library.machine(machine)?;
-        let own = machine.profile.default_material.as_deref().unwrap_or_default();
+        let own = machine.profile.default_material.as_deref().map_or("", String::as_str);
         let wire = self.library.material(material.unwrap_or(own))?.figures()?;
         report(&machine.figures()?, wire.diameter_mm)
     }

@@ -1,5 +1,6 @@
 //! What is done with profiles themselves: checked, explained, written, changed and passed on.
 
+mod bodies;
 pub mod check;
 pub mod explain;
 pub mod head;

@@ -72,6 +72,11 @@ impl OwnProfile {
         &self.file
     }
 
+    /// What the file itself has under a key of the first level.
+    pub fn own_value(&self, key: &str) -> Option<&Value> {
+        self.values.get(key)
+    }
+
     /// Sets a value under a dotted key; groups that are missing are made.
     pub fn set(&mut self, key: &str, value: Value) -> Result<(), PlanningError> {
         let mut parts: Vec<&str> = key.split('.').collect();

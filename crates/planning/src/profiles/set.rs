@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use wirebend_error::InputName;
 use wirebend_profile::{Kind, schema};
 
+use super::bodies;
 use super::own::OwnProfile;
 use crate::{Installation, PlanningError, Progress};
 
@@ -89,12 +90,16 @@ pub fn set(
         let (key, text) = (key.trim(), text.trim());
         let value: Value = serde_json::from_str(text).unwrap_or_else(|_| json!(text));
         let found = before.iter().find(|value| value.key == key);
-        values.push(SetValue {
-            key: key.to_owned(),
-            before: found.map(|value| value.value.clone()).unwrap_or_default(),
-            value: value.clone(),
-        });
-        profile.set(key, stated(&schema, key, value, (&request.source, request.measured)))?;
+        let found = found.map(|value| value.value.clone()).unwrap_or_default();
+        let source = (request.source.as_str(), request.measured);
+        let was = if let Some(name) = key.strip_prefix("shapes.") {
+            let parents = before.iter().find(|value| value.key == "shapes").map(|value| &value.value);
+            bodies::set_body(&mut profile, parents, name, &value, source)?
+        } else {
+            profile.set(key, stated(&schema, key, value.clone(), source))?;
+            found
+        };
+        values.push(SetValue { key: key.to_owned(), before: was, value });
     }
     profile.check(app)?;
     let kind = profile.kind;
@@ -116,13 +121,27 @@ pub fn tried(
     app.with_profile(&profile)
 }
 
-/// A value as a file has it: of a figure with its source.
-fn stated(schema: &Value, key: &str, value: Value, (source, measured): (&str, bool)) -> Value {
+/// A value as a file has it: with its source, where it has none of its own.
+fn stated(schema: &Value, key: &str, mut value: Value, (source, measured): (&str, bool)) -> Value {
     if is_figure(schema, key) && !value.is_object() && !value.is_null() {
-        sourced(&value, source, measured)
-    } else {
-        value
+        return sourced(&value, source, measured);
     }
+    match (key, &mut value) {
+        ("springback", Value::Object(loss)) if loss.contains_key("angle_deg") => {
+            if let Some(angle) = loss.get_mut("angle_deg").filter(|angle| !angle.is_object()) {
+                *angle = sourced(angle, source, measured);
+            }
+        }
+        ("springback" | "head" | "workspace", Value::Object(whole)) => {
+            bodies::with_source(whole, (source, measured));
+        }
+        ("shapes", Value::Array(shapes)) => {
+            let shapes = shapes.iter_mut().filter_map(Value::as_object_mut);
+            shapes.for_each(|shape| bodies::with_source(shape, (source, measured)));
+        }
+        _ => {}
+    }
+    value
 }
 
 /// Sets one value of a profile of the person's own as it is, without a source, or takes it out.

@@ -33,7 +33,7 @@ impl BuilderSetup {
         let figures = resolved.figures()?;
         let own = request.material.is_none() && opened.document.material.is_none();
         let material = if own {
-            app.material_of(resolved.profile.default_material.as_deref())?
+            app.material_of(resolved.profile.default_material.as_deref().map(String::as_str))?
         } else {
             app.frame_material(opened, &material_choices(request))?
         };

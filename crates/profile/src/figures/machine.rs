@@ -126,11 +126,11 @@ impl Complete for MachineProfile {
             bend_resolution_deg: v(&self.bend.resolution_deg)?,
             pin_radius_mm: v(&self.bend.pin_radius_mm)?,
             bend: self.bend_figures()?,
-            compensate_feed: (*feed)?,
-            compensate_setback: (*setback)?,
-            compensate_springback: (*springback)?,
-            bend_sign: self.signs.bend?.factor(),
-            rotate_sign: self.signs.rotate?.factor(),
+            compensate_feed: **feed.as_ref()?,
+            compensate_setback: **setback.as_ref()?,
+            compensate_springback: **springback.as_ref()?,
+            bend_sign: self.signs.bend.as_ref()?.factor(),
+            rotate_sign: self.signs.rotate.as_ref()?.factor(),
             fixed_per_bend_s: v(&self.time.fixed_per_bend_s)?,
         })
     }
@@ -154,13 +154,13 @@ impl MachineProfile {
 
     fn bend_figures(&self) -> Option<BendFigures> {
         let bend = &self.bend;
-        Some(match bend.method? {
+        Some(match bend.method.as_ref()?.value {
             BendMethod::Peg => BendFigures::Peg {
                 rod_radius_mm: v(&bend.rod_radius_mm)?,
                 orbit_radius_mm: v(&bend.orbit_radius_mm)?,
                 orbit_offset_mm: v(&bend.orbit_offset_mm)?,
                 axis_limit_deg: v(&bend.axis_limit_deg)?,
-                before_zero: bend.before_zero.unwrap_or_default(),
+                before_zero: bend.before_zero.as_ref().is_some_and(|told| told.value),
             },
             BendMethod::Direct => BendFigures::Direct { axis_limit_deg: v(&bend.axis_limit_deg) },
         })

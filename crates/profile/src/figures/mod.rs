@@ -81,7 +81,7 @@ impl Complete for MaterialProfile {
             ultimate_strength_mpa: v(&self.ultimate_strength_mpa)?,
             density_kg_per_m3: v(&self.density_kg_per_m3)?,
             price_per_mm: v(&self.price_per_mm),
-            currency: self.currency.clone(),
+            currency: self.currency.as_deref().cloned(),
             shear_modulus_gpa: v(&self.shear_modulus_gpa).or(of_poisson),
             fracture_strain: v(&self.fracture_strain),
             process_energy_mj_per_kg: v(&self.process_energy_mj_per_kg),

@@ -49,7 +49,7 @@ impl Complete for StrutBuilderProfile {
     fn complete(&self) -> Option<StrutBuilderFigures> {
         let workspace = self.workspace.as_ref();
         Some(StrutBuilderFigures {
-            process: self.process?,
+            process: self.process.as_ref()?.value,
             head: self.head.as_ref()?.outline.clone(),
             direction_step_deg: v(&self.directions.step_deg)?,
             create_approach_deg: v(&self.approach_deg.create)?,
@@ -60,7 +60,7 @@ impl Complete for StrutBuilderProfile {
             travel_mm_per_s: v(&self.speed.travel_mm_per_s)?,
             pause_per_joint_s: v(&self.pause_per_joint_s)?,
             workspace: workspace.map(|it| WorkspaceFigures { min_mm: it.min_mm, max_mm: it.max_mm }),
-            ground_first: self.ground_first?,
+            ground_first: self.ground_first.as_ref()?.value,
         })
     }
 }

@@ -179,3 +179,26 @@ fn a_byte_order_mark_of_a_windows_editor_does_no_harm() {
     let root = folder(&[("machines/my-kit.json", &text)]);
     assert!(with(root.path()).1.refused.is_empty());
 }
+
+/// Files that were written before signs and choices had sources are taken as they are, and say that they have none: the source of
+/// the parent is that of another value.
+#[test]
+fn a_plain_sign_counts_and_has_no_source_of_its_parent() {
+    let plain = CHILD.replace("\"limits\"", "\"signs\": {\"bend\": -1},\n  \"limits\"");
+    let stated = plain.replace("-1", r#"{"value": -1, "source": "bent one", "measured": true}"#);
+    for (text, source) in [(&plain, None), (&stated, Some("bent one"))] {
+        let root = folder(&[("machines/my-kit.json", text.as_str())]);
+        let (library, added) = with(root.path());
+        assert!(added.refused.is_empty(), "{:?}", added.refused);
+        let machine = library.machine("my-kit").unwrap();
+        assert!((machine.figures().unwrap().bend_sign + 1.0).abs() < 1e-12);
+        let explained = library.explain(Kind::Machine, "my-kit").unwrap().values;
+        let sign = explained.iter().find(|value| value.key == "signs.bend").unwrap();
+        assert_eq!((sign.source.as_deref(), sign.id.as_str()), (source, "my-kit"));
+        let other = explained.iter().find(|value| value.key == "signs.rotate").unwrap();
+        assert!(other.source.is_some() && other.id == "wirebend-kit");
+        let written = to_text(&machine.profile).unwrap();
+        let again: MachineProfile = serde_json::from_str(&written).unwrap();
+        assert_eq!(again, machine.profile);
+    }
+}

@@ -68,7 +68,7 @@ fn a_machines_default_material_fits_it() {
     for listing in library.machines() {
         let machine = library.machine(&listing.id).unwrap();
         let figures = machine.figures().unwrap();
-        let material = library.material(&machine.profile.default_material.clone().unwrap());
+        let material = library.material(machine.profile.default_material.as_deref().unwrap());
         let diameter = material.unwrap().figures().unwrap().diameter_mm;
         let range = figures.min_diameter_mm..=figures.max_diameter_mm;
         assert!(range.contains(&diameter), "{}: {diameter} not in {range:?}", listing.id);
@@ -218,4 +218,36 @@ fn an_editor_marks_what_the_reader_refuses() {
         let value = serde_json::from_str(&format!("{{{head}, {rest}}}")).unwrap();
         assert!(!validator.is_valid(&value), "{rest}");
     }
+}
+
+/// Whoever looks at a value is told where it comes from: a paper, a data sheet, an estimate, a decision of ours.
+#[test]
+fn every_value_of_every_shipped_profile_has_a_source() {
+    // What a profile is called and how it is connected is no value of the machine or the wire.
+    let is_heading = |key: &str| {
+        ["name", "description", "alloy", "temper", "sources", "signs.note"].contains(&key)
+            || ["driver.", "export."].iter().any(|group| key.starts_with(group))
+            // The source of its pairs or of its angle stands beside them.
+            || key == "springback.model"
+    };
+    let library = library();
+    let mut seen = 0;
+    for kind in Kind::ALL {
+        for listing in library.list(kind) {
+            let explained = library.explain(kind, &listing.id).unwrap();
+            for value in explained.values.iter().filter(|value| !is_heading(&value.key)) {
+                let bodies = value.value.as_array().filter(|_| value.key == "shapes");
+                let sources: Vec<Option<&str>> = match bodies {
+                    Some(bodies) => bodies.iter().map(|body| body["source"].as_str()).collect(),
+                    None => vec![value.source.as_deref()],
+                };
+                for source in sources {
+                    let stated = source.is_some_and(|source| !source.trim().is_empty());
+                    assert!(stated, "{kind} {}: {} has no source", listing.id, value.key);
+                    seen += 1;
+                }
+            }
+        }
+    }
+    assert!(seen > 250, "{seen} values");
 }

@@ -1,5 +1,5 @@
 import { useId, useState } from "react";
-import type { ValueReport } from "../../../generated/responses";
+import type { ProfileView, ValueReport } from "../../../generated/responses";
 import { Button } from "../../../shared/controls/Button";
 import { Checkbox, Select } from "../../../shared/controls/inputs";
 import { NumberField } from "../../../shared/controls/NumberField";
@@ -56,7 +56,7 @@ export function ValueRow({ spec, why }: { readonly spec: FieldSpec; readonly why
             {sourceOf(stated)}
           </span>
         )}
-        {!why && own && stated?.source && spec.kind !== "springback" && (
+        {!why && !missing && (
           <Button kind="link" aria-label={`Change the source of ${spec.label}`} onClick={() => setEditing(!editing)}>
             Source…
           </Button>
@@ -75,13 +75,22 @@ export function ValueRow({ spec, why }: { readonly spec: FieldSpec; readonly why
       {editing && value && (
         <SourceForm
           of={spec.label}
-          source={{ text: value.source ?? "", measured: value.measured ?? false }}
-          onSet={(source) => setValue(spec.key, value.value as PlainValue, source)}
+          source={{ text: stated?.source ?? "", measured: stated?.measured ?? false }}
+          onSet={(source) => setValue(spec.key, wholeOf(spec, view, value), source)}
           onDone={() => setEditing(false)}
         />
       )}
     </fieldset>
   );
+}
+
+/** A value as it is set anew with another source: a springback as a whole, from its model and what it has. */
+function wholeOf(spec: FieldSpec, view: ProfileView | null, { value }: ValueReport): PlainValue {
+  if (spec.kind !== "springback") return value as PlainValue;
+  const part = (key: string) => (reportOf(view, `springback.${key}`)?.value ?? null) as PlainValue;
+  if (part("model") === "constant") return { model: "constant", angle_deg: part("angle_deg") };
+  const negative = part("negative");
+  return { model: "table", positive: part("positive"), ...(negative === null ? {} : { negative }) };
 }
 
 /** Of a springback what states a source: the pairs of a table, or the one angle. */
@@ -124,7 +133,7 @@ function Control({
     case "yes-no":
       return (
         <Checkbox checked={plain === true} onChange={set} why={why}>
-          by this program
+          {spec.key.startsWith("compensation.") ? "by this program" : "yes"}
         </Checkbox>
       );
     case "sign":

@@ -136,6 +136,18 @@ export const MACHINE_GROUPS: readonly FieldGroup[] = [
       },
     ],
   },
+  {
+    title: "Simulation",
+    fields: [
+      {
+        key: "error",
+        label: "Noise profile",
+        kind: "text",
+        absent: "none",
+        hint: "The errors that simulations of this machine have, by the id of a noise profile.",
+      },
+    ],
+  },
 ];
 
 export const MATERIAL_GROUPS: readonly FieldGroup[] = [

@@ -9,7 +9,7 @@ export function sourceOf(value: ValueReport | null): string {
   if (!value) return "not set";
   if (value.source)
     return value.measured && !/measured/i.test(value.source) ? `Measured: ${value.source}` : value.source;
-  return `set in ${value.set_by}`;
+  return `set in ${value.set_by}, without a source`;
 }
 
 /** A plain value with its unit. */
