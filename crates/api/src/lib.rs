@@ -83,7 +83,7 @@ pub use wirebend_planning::profiles::new::{ProfileNewRequest, ProfileNewResponse
 pub use wirebend_planning::profiles::revert::{ProfileRevertRequest, ProfileRevertResponse};
 pub use wirebend_planning::profiles::set::{ProfileSetRequest, ProfileSetResponse, SetValue};
 pub use wirebend_planning::profiles::share::{
-    ProfileExportRequest, ProfileExportResponse, ProfileImportRequest, ProfileImportResponse,
+    ProfileExportRequest, ProfileExportResponse, ProfileImportRequest, ProfileImportResponse, SharedProfile,
 };
 pub use wirebend_planning::profiles::springback::{SamplePlace, SpringbackReport, SpringbackSample};
 pub use wirebend_planning::profiles::torque::{BendTorqueReport, WireTorqueReport};

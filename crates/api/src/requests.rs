@@ -313,9 +313,9 @@ requests! {
         /// Takes back values of a profile of the person's own, or its last change.
         RevertProfile(workspace::RevertProfile) -> workspace::ProfileView = Workspace::revert_profile, "revert-profile";
         /// Writes a profile to a file that others can use.
-        ExportProfile(workspace::ExportProfile) -> workspace::ExportedProfile = Workspace::export_profile, "export-profile";
+        ExportProfile(ProfileExportRequest) -> ProfileExportResponse = Workspace::export_profile, "export-profile";
         /// Takes in a profile from a file.
-        ImportProfile(workspace::ImportProfile) -> workspace::ImportedProfile = Workspace::import_profile, "import-profile";
+        ImportProfile(workspace::ImportProfile) -> ProfileImportResponse = Workspace::import_profile, "import-profile";
         /// Changes the driver's settings in a profile of the person's own.
         ChangeSettings(workspace::ChangeSettings) -> workspace::SettingsChanged = Workspace::change_settings, "change-settings";
         /// A sheet of a calibration with what has been read so far.

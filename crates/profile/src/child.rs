@@ -104,6 +104,28 @@ impl Library {
     }
 }
 
+impl Library {
+    /// The profiles of a person's own that a profile names, such as the wire of a machine: kind and id, each once.
+    ///
+    /// # Errors
+    /// [`ProfileError::Unknown`] with the nearest ids when there is no such profile.
+    pub fn own_named(&self, kind: Kind, id: &str) -> Result<Vec<(Kind, String)>, ProfileError> {
+        match kind {
+            Kind::Machine => self.own_named_as::<MachineProfile>(id),
+            Kind::Material => self.own_named_as::<MaterialProfile>(id),
+            Kind::Noise => self.own_named_as::<NoiseProfile>(id),
+            Kind::StrutBuilder => self.own_named_as::<StrutBuilderProfile>(id),
+        }
+    }
+
+    fn own_named_as<T: Profile>(&self, id: &str) -> Result<Vec<(Kind, String)>, ProfileError> {
+        let resolved = self.resolve_first::<T>(self.find(T::KIND, id)?)?;
+        let named = resolved.profile.references().into_iter();
+        let own = named.filter(|(_, kind, id)| self.layer(*kind, id).is_some_and(|layer| !layer.shipped));
+        Ok(own.map(|(_, kind, id)| (kind, id.to_owned())).collect())
+    }
+}
+
 /// The text of a profile as this program writes one: keys in the order of the documentation, a figure on a line. One that
 /// takes inherited values away keeps its order, since the types of profiles know no value that is taken away. `None` where it
 /// is no profile of the kind; [`Library::check`] says why.

@@ -680,7 +680,7 @@ export interface Requests {
   edit: EditDesign;
   examples: ExamplesRequest;
   export: ExportDesign;
-  "export-profile": ExportProfile;
+  "export-profile": ProfileExportRequest;
   exports: ExportsRequest;
   "fix-all": FixAllRequest;
   fixes: FixesRequest;
@@ -1147,12 +1147,22 @@ export interface Output {
   path: string;
 }
 /**
- * Writes a profile to a file that others can use.
+ * Which profile another person shall have.
  */
-export interface ExportProfile {
+export interface ProfileExportRequest {
+  /**
+   * Without the other profiles of the person's own that it names.
+   */
+  alone?: boolean;
   id: string;
-  kind: Kind;
-  output: Output;
+  /**
+   * The kind of profile, where several kinds have one of the id.
+   */
+  kind?: Kind | null;
+  /**
+   * Its file; absent, the profile goes back to the front end.
+   */
+  output?: Output | null;
 }
 /**
  * Asks what can be written for the machine of the open design.

@@ -1886,13 +1886,13 @@ export interface Responses {
   edit: EditMade;
   examples: ExamplesResponse;
   export: ExportPreview;
-  "export-profile": ExportedProfile;
+  "export-profile": ProfileExportResponse;
   exports: ExportsResponse;
   "fix-all": FixAllResponse;
   fixes: FixesResponse;
   frame: FrameShown;
   "frame-choices": FrameChoices;
-  "import-profile": ImportedProfile;
+  "import-profile": ProfileImportResponse;
   look: LookResponse;
   "machine-state": MachineNow;
   "machine-view": MachineViewResponse;
@@ -4018,8 +4018,24 @@ export interface ExportPreview {
    */
   notes: NoteReport[];
 }
-export interface ExportedProfile {
-  file: string;
+export interface ProfileExportResponse {
+  /**
+   * Its file; null where it is returned.
+   */
+  file: string | null;
+  id: string;
+  kind: Kind;
+  /**
+   * Other profiles that are in the file.
+   */
+  with: SharedProfile[];
+}
+/**
+ * A profile that goes with another one.
+ */
+export interface SharedProfile {
+  id: string;
+  kind: Kind;
 }
 /**
  * What can be written.
@@ -4604,10 +4620,21 @@ export interface StrutBuilderEntry {
   id: string;
   name: string;
 }
-export interface ImportedProfile {
+export interface ProfileImportResponse {
+  /**
+   * Where it is now.
+   */
+  file: string;
   id: string;
   kind: Kind;
+  /**
+   * Its name for people.
+   */
   name: string;
+  /**
+   * Other profiles that came with it, under the ids that they have here.
+   */
+  with: SharedProfile[];
 }
 export interface LookResponse {
   /**

@@ -62,8 +62,8 @@ pub use operating::{
 };
 pub use predictions::{PredictedDesign, PredictionStopped, StopPrediction};
 pub use profiles::{
-    CopyProfile, ExportProfile, ExportedProfile, HeadRequest, ImportProfile, ImportedProfile, NewValue,
-    ProfileView, ProfileViewRequest, RevertProfile, SetProfile,
+    CopyProfile, HeadRequest, ImportProfile, NewValue, ProfileView, ProfileViewRequest, RevertProfile,
+    SetProfile,
 };
 pub use program::{MadeRequest, MadeResponse, MadeWire, ProgramRequest, ProgramResponse};
 pub use recent::RecentEntry;

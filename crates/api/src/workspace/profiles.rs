@@ -14,8 +14,9 @@ use wirebend_profile::{Kind, Shape};
 
 use super::Workspace;
 use crate::{
-    ApiError, Output, ProfileExplainRequest, ProfileExplainResponse, ProfileImportResponse,
-    ProfileNewRequest, ProfileNewResponse, ProfilePlace, ProfileRevertRequest, ProfileSetRequest, Progress,
+    ApiError, ProfileExplainRequest, ProfileExplainResponse, ProfileExportRequest, ProfileExportResponse,
+    ProfileImportResponse, ProfileNewRequest, ProfileNewResponse, ProfilePlace, ProfileRevertRequest,
+    ProfileSetRequest, Progress,
 };
 
 /// Writes a profile of the person's own that inherits from another.
@@ -97,32 +98,12 @@ pub struct RevertProfile {
     pub material: Option<String>,
 }
 
-/// Writes a profile to a file that others can use.
-#[derive(Debug, Clone, Deserialize, JsonSchema)]
-pub struct ExportProfile {
-    pub kind: Kind,
-    pub id: String,
-    pub output: Output,
-}
-
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
-pub struct ExportedProfile {
-    pub file: PathBuf,
-}
-
 /// Takes in a profile from a file.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct ImportProfile {
     pub file: PathBuf,
     /// Another id than that of the file.
     pub id: Option<String>,
-}
-
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
-pub struct ImportedProfile {
-    pub kind: Kind,
-    pub id: String,
-    pub name: String,
 }
 
 impl Workspace {
@@ -207,25 +188,21 @@ impl Workspace {
 
     pub(crate) fn export_profile(
         &self,
-        asked: &ExportProfile,
-        _: &dyn Progress,
-    ) -> Result<ExportedProfile, ApiError> {
-        let file = share::export(&self.installation(), asked.kind, &asked.id, &asked.output)?;
-        Ok(ExportedProfile { file })
+        asked: &ProfileExportRequest,
+        progress: &dyn Progress,
+    ) -> Result<ProfileExportResponse, ApiError> {
+        Ok(share::export_profile(&self.installation(), asked, progress)?)
     }
 
     pub(crate) fn import_profile(
         &self,
         asked: &ImportProfile,
         _: &dyn Progress,
-    ) -> Result<ImportedProfile, ApiError> {
+    ) -> Result<ProfileImportResponse, ApiError> {
         let folder = self.own_folder()?;
-        let ProfileImportResponse { id, kind, .. } =
-            share::import(&self.installation(), &asked.file, asked.id.as_deref(), &folder)?;
+        let taken = share::import(&self.installation(), &asked.file, asked.id.as_deref(), &folder)?;
         self.reload()?;
-        let listed = self.installation().library.list(kind).into_iter().find(|listing| listing.id == id);
-        let name = listed.map_or_else(|| id.clone(), |listing| listing.name);
-        Ok(ImportedProfile { kind, id, name })
+        Ok(taken)
     }
 
     /// The folder with profiles of the person's own.

@@ -362,12 +362,15 @@ pub(crate) enum ProfileCommand {
         #[command(flatten)]
         kind: KindArgs,
     },
-    /// Write a profile, with all that it has from other profiles of your own, as one file for others
+    /// Write a profile, with all that it has from other profiles of your own and with the wire of your own that it names, as one file for others
     #[command(after_help = "Example:\n  wirebend profile export my-bender -o my-bender.json")]
     Export {
         /// Profile to write, by id
         #[arg(value_name = "ID")]
         id: String,
+        /// Leave out the other profiles of your own that it names: the wire and the noise profile of a machine
+        #[arg(long)]
+        alone: bool,
         #[command(flatten)]
         kind: KindArgs,
         #[command(flatten)]

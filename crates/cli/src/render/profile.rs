@@ -7,7 +7,7 @@ use serde_json::Value;
 use wirebend_api::{
     BendTorqueReport, ProfileCheckResponse, ProfileExplainResponse, ProfileExportResponse,
     ProfileImportResponse, ProfileNewResponse, ProfileRevertResponse, ProfileSetResponse, SamplePlace,
-    SetValue, SeverityName, SpringbackReport, SpringbackSample, ValueReport,
+    SetValue, SeverityName, SharedProfile, SpringbackReport, SpringbackSample, ValueReport,
 };
 
 use super::tables::padded;
@@ -83,11 +83,19 @@ pub(super) fn revert(out: &mut impl Write, found: &ProfileRevertResponse) -> std
 
 pub(super) fn exported(out: &mut impl Write, found: &ProfileExportResponse) -> std::io::Result<()> {
     let Some(file) = &found.file else { return Ok(()) };
-    writeln!(out, "wrote {} ({} '{}')", file.display(), found.kind, found.id)
+    writeln!(out, "wrote {} ({} '{}'{})", file.display(), found.kind, found.id, with(&found.with))
 }
 
 pub(super) fn imported(out: &mut impl Write, found: &ProfileImportResponse) -> std::io::Result<()> {
-    writeln!(out, "wrote {} ({} '{}')", found.file.display(), found.kind, found.id)
+    let with = with(&found.with);
+    writeln!(out, "wrote {} ({} '{}'{with})", found.file.display(), found.kind, found.id)
+}
+
+/// ", with the material 'spool'", of what goes with a profile.
+fn with(others: &[SharedProfile]) -> String {
+    let named: Vec<String> =
+        others.iter().map(|other| format!("the {} '{}'", other.kind, other.id)).collect();
+    if named.is_empty() { String::new() } else { format!(", with {}", named.join(" and ")) }
 }
 
 fn changed(out: &mut impl Write, values: &[SetValue]) -> std::io::Result<()> {

@@ -122,11 +122,16 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
         Subcommands::Profile(ProfileCommand::Revert { id, keys, kind }) => {
             written(Command::ProfileRevert(ProfileRevertRequest { id, kind: kind.kind, keys }))
         }
-        Subcommands::Profile(ProfileCommand::Export { id, kind, output: OutputArgs { output, force } }) => {
+        Subcommands::Profile(ProfileCommand::Export {
+            id,
+            kind,
+            alone,
+            output: OutputArgs { output, force },
+        }) => {
             let file = output.filter(|path| path != Path::new("-"));
             let contents = if file.is_some() { Contents::Written } else { Contents::StandardOutput };
             let output = file.map(|path| Output { path, force });
-            let request = ProfileExportRequest { id, kind: kind.kind, output };
+            let request = ProfileExportRequest { id, kind: kind.kind, output, alone };
             Prepared::Command(Box::new(Command::ProfileExport(request)), contents)
         }
         Subcommands::Profile(ProfileCommand::Import { file, id }) => {

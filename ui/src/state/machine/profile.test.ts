@@ -93,8 +93,8 @@ it("keeps why a value was refused with the value, until the next is set", async 
 it("says whether another id would help a file that is not taken in", async () => {
   ask.mockRejectedValueOnce(new (Refused as unknown as new (code: string) => Error)("id-taken"));
   expect(await importProfile("/a.json", null)).toEqual({ problem: "id-taken", taken: true });
-  ask.mockResolvedValueOnce({ kind: "machine", id: "b", name: "B" });
-  expect(await importProfile("/a.json", "b")).toEqual({ name: "B" });
+  ask.mockResolvedValueOnce({ kind: "machine", id: "b", name: "B", with: [{ kind: "material", id: "spool-2" }] });
+  expect(await importProfile("/a.json", "b")).toEqual({ name: "B", others: ["spool-2"] });
 });
 
 const headOf = (orbit: number) => ({

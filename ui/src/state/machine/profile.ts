@@ -197,11 +197,13 @@ export function takeBackLast(): Promise<boolean> {
 export async function importProfile(
   file: string,
   id: string | null,
-): Promise<{ readonly name: string } | { readonly problem: string; readonly taken: boolean }> {
+): Promise<
+  { readonly name: string; readonly others: readonly string[] } | { readonly problem: string; readonly taken: boolean }
+> {
   try {
-    const { name } = await platform.ask("import-profile", { file, ...(id === null ? {} : { id }) });
+    const taken = await platform.ask("import-profile", { file, ...(id === null ? {} : { id }) });
     profilesChanged(null);
-    return { name };
+    return { name: taken.name, others: taken.with.map((other) => other.id) };
   } catch (error) {
     const taken = error instanceof Refused && error.refusal.code === "id-taken";
     return { problem: messageOf(error), taken };

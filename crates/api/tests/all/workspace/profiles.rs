@@ -117,7 +117,8 @@ fn a_profile_goes_to_another_computer_as_one_file() {
     let import = json!({"file": file});
     assert!(std::fs::read_to_string(&file).unwrap().contains("\"torque_n_m\": null"));
     let taken = other.ask("import-profile", import.clone());
-    assert_eq!(taken, json!({"kind": "machine", "id": "mine", "name": "mine"}));
+    let told = |key: &str| taken[key].clone();
+    assert_eq!(["kind", "id", "name"].map(told), [json!("machine"), json!("mine"), json!("mine")]);
     let view = other.ask("profile-view", json!({"kind": "machine", "id": "mine"}));
     let plain = |view: &Value| -> Vec<[Value; 2]> {
         let values = view["profile"]["values"].as_array().unwrap().iter();
@@ -136,5 +137,76 @@ fn a_profile_goes_to_another_computer_as_one_file() {
     assert_eq!(
         other.try_ask("import-profile", json!({"file": file})).unwrap_err().code,
         "profile-unknown-kind"
+    );
+}
+
+/// A machine goes to a colleague with the wire that it was calibrated with. A wire of theirs that has its id stays as it is, and what is
+/// there already is not taken in twice.
+#[test]
+fn a_machine_is_passed_on_with_its_own_wire() {
+    let copy = |window: &Window, kind: &str, from: &str, id: &str| {
+        window.ask("copy-profile", json!({"kind": kind, "from": from, "id": id, "name": id}))
+    };
+    let set = |window: &Window, kind: &str, id: &str, key: &str, value: Value| {
+        let values = json!([{"key": key, "value": value}]);
+        let asked = json!({"kind": kind, "id": id, "values": values, "source": "coupons", "measured": true});
+        window.ask("set-profile", asked)
+    };
+    let loss = |deg: f64| json!({"model": "constant", "angle_deg": deg});
+    let window = Window::new();
+    copy(&window, "material", "aluminium-6061-t6-3mm", "spool");
+    set(&window, "material", "spool", "springback", loss(9.25));
+    copy(&window, "machine", "wirebend-kit", "mine");
+    set(&window, "machine", "mine", "default_material", json!("spool"));
+    let file = window.home.path().join("mine.json");
+    let export = |alone: bool, file: &std::path::Path| {
+        let output = json!({"path": file, "force": true});
+        window
+            .ask("export-profile", json!({"kind": "machine", "id": "mine", "output": output, "alone": alone}))
+    };
+    assert_eq!(export(false, &file)["with"], json!([{"kind": "material", "id": "spool"}]));
+
+    let wire_of = |window: &Window, machine: &str| {
+        let view = window.ask("profile-view", json!({"kind": "machine", "id": machine}));
+        value(&view, "default_material")["value"].as_str().unwrap().to_owned()
+    };
+    let loss_of = |window: &Window, wire: &str| {
+        let view = window.ask("profile-view", json!({"kind": "material", "id": wire}));
+        value(&view, "springback.angle_deg").clone()
+    };
+    let other = Window::new();
+    let taken = other.ask("import-profile", json!({"file": file}));
+    assert_eq!(taken["with"], json!([{"kind": "material", "id": "spool"}]));
+    assert_eq!(wire_of(&other, "mine"), "spool");
+    let found = loss_of(&other, "spool");
+    assert_eq!(
+        (&found["value"], &found["source"], &found["measured"]),
+        (&json!(9.25), &json!("coupons"), &json!(true))
+    );
+
+    // A second time the wire is there; once it is changed, the one of the file gets another id.
+    other.ask("import-profile", json!({"file": file, "id": "second"}));
+    assert_eq!(wire_of(&other, "second"), "spool");
+    set(&other, "material", "spool", "springback", loss(4.0));
+    let taken = other.ask("import-profile", json!({"file": file, "id": "third"}));
+    assert_eq!(taken["with"], json!([{"kind": "material", "id": "spool-2"}]));
+    assert_eq!((wire_of(&other, "third"), wire_of(&other, "mine")), ("spool-2".into(), "spool".into()));
+    assert_eq!(loss_of(&other, "spool")["value"], 4.0);
+    assert_eq!(loss_of(&other, "spool-2")["value"], 9.25);
+
+    // Alone it names a wire that others have not; a file with a wrong wire is refused as a whole.
+    assert_eq!(export(true, &file)["with"], json!([]));
+    let third = Window::new();
+    assert_eq!(
+        third.try_ask("import-profile", json!({"file": file})).unwrap_err().code,
+        "profile-unknown-reference"
+    );
+    export(false, &file);
+    let text = std::fs::read_to_string(&file).unwrap().replace("9.25", "-9.25");
+    std::fs::write(&file, text).unwrap();
+    assert_eq!(third.try_ask("import-profile", json!({"file": file})).unwrap_err().code, "profile-rule");
+    assert_eq!(
+        third.try_ask("profile-view", json!({"kind": "material", "id": "spool"})).unwrap_err().code,
+        "profile-unknown"
     );
 }

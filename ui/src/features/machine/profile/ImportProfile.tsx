@@ -22,7 +22,8 @@ export function ImportProfile() {
   const take = async (path: string, as: string | null) => {
     const found = await importProfile(path, as);
     if ("name" in found) {
-      tell("info", `“${found.name}” is one of your profiles now.`, "import-profile");
+      const others = found.others.length > 0 ? `, with ${found.others.join(" and ")}` : "";
+      tell("info", `“${found.name}” is one of your profiles now${others}.`, "import-profile");
       done();
     } else setProblem({ text: found.problem, taken: found.taken });
   };
