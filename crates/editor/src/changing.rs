@@ -10,7 +10,7 @@ use wirebend_files::document::{
     pause_note,
 };
 
-use super::{ChosenWalk, EditRequest};
+use super::{ChosenWalk, EditRequest, construction};
 use crate::EditorError;
 use wirebend_planning::Installation;
 use wirebend_planning::design::default_weld_mm;
@@ -69,6 +69,7 @@ pub(super) fn change(
         }
         EditRequest::Notes { text } => document.set_notes(text.clone()),
         EditRequest::Units { units } => document.set_units(*units),
+        EditRequest::Construction { change } => construction::changed(document, change, weld())?,
         EditRequest::RemoveStencil { stencil } => {
             let gone = document.without_stencil(StencilId(*stencil));
             Some(gone.ok_or(EditorError::NoStencil(*stencil))?)
@@ -177,6 +178,7 @@ fn several(
         document.set_stencils(last.stencils),
         document.set_surfaces(&last.surfaces),
         document.set_parts(last.parts),
+        document.set_construction(last.construction),
         document.set_machine(last.machine),
         document.set_material(last.material),
         document.set_doublings(last.doublings),

@@ -43,6 +43,12 @@ pub enum EditorError {
     /// The wire is to begin where nothing is.
     #[error("there is no vertex {0} for the wire to begin at")]
     NoVertex(u32),
+    /// An edge that is to become a construction line is not there.
+    #[error("there is no edge {0} to make a construction line of")]
+    NoConstructionEdge(u32),
+    /// A construction line is not there.
+    #[error("there is no construction line {line} in this design, counted from 0: it has {count}")]
+    NoConstructionLine { line: u32, count: usize },
     /// A stencil that is to be changed is not there.
     #[error("there is no stencil {0} in this design")]
     NoStencil(u32),
@@ -142,9 +148,10 @@ impl EditorError {
             | Self::PausePass
             | Self::PauseNote
             | Self::Placement(_)
+            | Self::NoConstructionLine { .. }
             | Self::Matrix => ErrorCode::Edit,
             Self::NoStencil(_) => ErrorCode::NoStencil,
-            Self::NoEdge(_) | Self::NoPart(_) => ErrorCode::NoEdge,
+            Self::NoEdge(_) | Self::NoConstructionEdge(_) | Self::NoPart(_) => ErrorCode::NoEdge,
             Self::NoVertex(_) | Self::NoPauseVertex(_) => ErrorCode::NoVertex,
             Self::Stale(_) => ErrorCode::Stale,
             Self::Document(_) => ErrorCode::Document,
@@ -173,6 +180,8 @@ impl EditorError {
             | Self::Turn(_)
             | Self::Matrix
             | Self::NoEdge(_)
+            | Self::NoConstructionEdge(_)
+            | Self::NoConstructionLine { .. }
             | Self::NoStencil(_)
             | Self::NoPart(_)
             | Self::Placement(_)

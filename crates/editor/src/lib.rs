@@ -9,6 +9,7 @@
 mod changing;
 mod check;
 mod collisions;
+mod construction;
 mod edit_journal;
 mod error;
 mod figures;
@@ -35,7 +36,8 @@ pub use fixes::{Fix, FixAll, FixChange, FixPreview};
 use history::{Done, History};
 pub use outcome::{EditOutcome, FilletPart};
 pub use request::{
-    AxisName, ChosenWalk, EditRequest, MergePlace, PastedVertex, Placed, PlaneName, PolygonMeasure, RestPlace,
+    AxisName, ChosenWalk, ConstructionChange, EditRequest, MergePlace, PastedVertex, Placed, PlaneName,
+    PolygonMeasure, RestPlace,
 };
 pub use view::{DesignState, DesignView, EdgeView, PauseView, VertexView, ViewChange};
 

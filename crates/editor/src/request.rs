@@ -5,6 +5,18 @@ use serde::{Deserialize, Serialize};
 use wirebend_files::document::{JointFile, Look, PlacementFile, Walk};
 use wirebend_files::read::LengthUnit;
 
+/// What becomes of construction lines. They are named by their places in the list, from 0.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "make", rename_all = "kebab-case", deny_unknown_fields)]
+pub enum ConstructionChange {
+    /// Edges become construction lines.
+    Lines { edges: Vec<u32> },
+    /// Construction lines become edges, joined to vertices that are there.
+    Edges { lines: Vec<u32> },
+    /// Construction lines are deleted.
+    Nothing { lines: Vec<u32> },
+}
+
 /// A change that a person asks for. Lengths in mm, vertices and edges by their ids.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "edit", rename_all = "kebab-case", deny_unknown_fields)]
@@ -249,6 +261,8 @@ pub enum EditRequest {
     Notes { text: String },
     /// The unit that lengths are shown in.
     Units { units: LengthUnit },
+    /// Makes construction lines, or takes them away. They are there to measure and to snap to, and are never bent.
+    Construction { change: ConstructionChange },
     /// Takes a stencil away.
     RemoveStencil { stencil: u32 },
     /// Moves, turns and scales a stencil.

@@ -6,7 +6,7 @@ use wirebend_core::wireframe::{ChordLimits, EdgeId, Edit, Joint, MergeAt, Mirror
 
 use super::EditorError;
 use super::figures::{ids, unit};
-use super::request::{EditRequest, MergePlace};
+use super::request::{ConstructionChange, EditRequest, MergePlace};
 
 impl EditRequest {
     /// The edits of the wireframe that it is; none where it changes something else.
@@ -108,6 +108,7 @@ impl EditRequest {
             | Self::Machine { .. }
             | Self::Notes { .. }
             | Self::Units { .. }
+            | Self::Construction { .. }
             | Self::RemoveStencil { .. }
             | Self::PlaceStencil { .. }
             | Self::StencilLook { .. }
@@ -172,6 +173,14 @@ impl EditRequest {
             Self::Machine { .. } => "machine".to_owned(),
             Self::Notes { .. } => "notes".to_owned(),
             Self::Units { .. } => "units".to_owned(),
+            Self::Construction { change } => {
+                let lines = |list: &[u32]| some(list.len(), "construction line", "construction lines");
+                match change {
+                    ConstructionChange::Lines { edges } => lines(edges),
+                    ConstructionChange::Edges { lines } => some(lines.len(), "edge", "edges") + " of lines",
+                    ConstructionChange::Nothing { lines: gone } => format!("delete {}", lines(gone)),
+                }
+            }
             Self::RemoveStencil { .. } => "remove stencil".to_owned(),
             Self::PlaceStencil { .. } => "place stencil".to_owned(),
             Self::StencilLook { look, .. } if look.hidden => "hide stencil".to_owned(),

@@ -124,6 +124,8 @@ pub struct DesignState {
     pub stencils: Vec<StencilView>,
     /// The parts that were named, coloured or hidden.
     pub parts: Vec<PartView>,
+    /// Lines that are no wire, each by its two ends, mm.
+    pub construction_mm: Vec<[[f64; 3]; 2]>,
     /// Edges that may be laid twice.
     pub doublings: Vec<u32>,
     /// The vertex where the wire starts.
@@ -198,6 +200,11 @@ impl Editor {
             material: document.material.as_ref().map(|material| material.id.clone()),
             stencils: document.placed_stencils().map(StencilView::of).collect(),
             parts: document.parts.iter().map(PartView::from).collect(),
+            construction_mm: document
+                .construction
+                .iter()
+                .map(|line| line.ends.map(|end| end.coords.into()))
+                .collect(),
             doublings: document.doublings.iter().map(|id| id.0).collect(),
             start: document.start.map(|id| id.0),
             wires: document.wires.get(),

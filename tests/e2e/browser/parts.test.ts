@@ -135,3 +135,53 @@ it("names, colours and hides a part of the wire, which is bent all the same", as
   await editor.page.keyboard.press("Delete");
   await until(async () => (await editor.design()).edges.length).toBe(2);
 });
+
+it("makes construction lines of edges, snaps to them, and makes edges of them again", async () => {
+  await editor.take(null, "parts", "edit");
+  const line: [number, number, number][] = [
+    [0, 0, 0],
+    [0, 0, 60],
+  ];
+  await editor.loopback.ask("edit", { request: { edit: "draw", through_mm: line } });
+  await editor.reload("parts", "edit");
+  await editor
+    .section("edit")
+    .getByText(/^2 vertices/)
+    .waitFor();
+  await editor.page.locator(".viewport canvas").focus();
+  for (const key of ["a", "k"]) await editor.page.keyboard.press(key);
+  const lines = parts().getByRole("list", { name: "Construction lines" }).getByRole("listitem");
+  await lines.filter({ hasText: "60.0 mm" }).waitFor();
+  const state = (await editor.design()).state;
+  expect([state.construction_mm, (await editor.design()).edges]).toEqual([[line], []]);
+  // A strand begins at its very end, and at its middle.
+  await editor.page.keyboard.press("d");
+  const sight = await Sight.from(editor.page, "front", line);
+  for (const at of [
+    [0, 0, 60],
+    [0, 0, 30],
+  ] as const) {
+    const { x, y } = sight.at(at);
+    await editor.page.mouse.move(x + 3, y + 2);
+    await editor.page.mouse.down();
+    await editor.page.mouse.up();
+  }
+  await until(async () => (await editor.design()).vertices.map(({ at_mm }) => at_mm)).toEqual([
+    [0, 0, 60],
+    [0, 0, 30],
+  ]);
+  await editor.page.keyboard.press("Escape");
+  await editor.page.keyboard.press("Control+z");
+  await until(async () => (await editor.design()).vertices).toEqual([]);
+  await lines.first().hover();
+  await editor.isClean("parts-construction");
+  await parts().getByRole("button", { name: "Make edge of Line 1" }).click();
+  await until(async () => (await editor.design()).edges.length).toBe(1);
+  await lines.first().waitFor({ state: "detached" });
+  await editor.page.locator(".viewport canvas").focus();
+  await editor.page.keyboard.press("Control+z");
+  await lines.first().waitFor();
+  await parts().getByRole("button", { name: "Delete Line 1" }).click();
+  await lines.first().waitFor({ state: "detached" });
+  expect((await editor.design()).vertices).toEqual([]);
+});

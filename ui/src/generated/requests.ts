@@ -394,6 +394,10 @@ export type EditRequest =
       units: LengthUnit;
     }
   | {
+      change: ConstructionChange;
+      edit: "construction";
+    }
+  | {
       edit: "remove-stencil";
       stencil: number;
     }
@@ -451,6 +455,22 @@ export type PolygonMeasure = "corners" | "flats" | "side";
  * What the numbers of a file measure.
  */
 export type LengthUnit = ("mm" | "cm" | "m") | "inch";
+/**
+ * What becomes of construction lines. They are named by their places in the list, from 0.
+ */
+export type ConstructionChange =
+  | {
+      edges: number[];
+      make: "lines";
+    }
+  | {
+      lines: number[];
+      make: "edges";
+    }
+  | {
+      lines: number[];
+      make: "nothing";
+    };
 /**
  * Red, green and blue as the screen takes them: "#7f93ab".
  */

@@ -1317,6 +1317,10 @@ export type EditRequest =
       units: LengthUnit;
     }
   | {
+      change: ConstructionChange;
+      edit: "construction";
+    }
+  | {
       edit: "remove-stencil";
       stencil: number;
     }
@@ -1366,6 +1370,22 @@ export type PlaneName = "xy" | "xz" | "yz";
  * What the size of a regular polygon is.
  */
 export type PolygonMeasure = "corners" | "flats" | "side";
+/**
+ * What becomes of construction lines. They are named by their places in the list, from 0.
+ */
+export type ConstructionChange =
+  | {
+      edges: number[];
+      make: "lines";
+    }
+  | {
+      lines: number[];
+      make: "edges";
+    }
+  | {
+      lines: number[];
+      make: "nothing";
+    };
 /**
  * How joints are closed.
  */
@@ -3117,6 +3137,10 @@ export interface DesignState {
    * Whether the wire ends where it starts.
    */
   closed: boolean;
+  /**
+   * Lines that are no wire, each by its two ends, mm.
+   */
+  construction_mm: [[number, number, number], [number, number, number]][];
   /**
    * Edges that may be laid twice.
    */

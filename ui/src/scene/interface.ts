@@ -112,6 +112,7 @@ export type SnapKind =
   | "stencil-vertex"
   | "stencil-edge"
   | "surface"
+  | "construction"
   | "edge-middle"
   | "edge"
   | "angle"
@@ -120,7 +121,7 @@ export type SnapKind =
 
 export interface SnapSettings {
   /**
-   * Which targets count. Within reach the first of these is taken: vertex, stencil-vertex, stencil-edge, edge-middle, edge, surface,
+   * Which targets count. Within reach the first of these is taken: vertex, the ends and the middle of a construction line, stencil-vertex, stencil-edge, edge-middle, edge, surface,
    * angle, grid, plane; with `angle` and `grid` the length of an edge is in steps of the grid.
    * With `plane` a point of the grid has to be within reach; without it the nearest one is always taken.
    */

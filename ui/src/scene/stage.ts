@@ -36,7 +36,7 @@ import { SelectionLayer } from "./layers/selection_layer";
 import { SpreadLayer } from "./layers/spread";
 import { Stencils } from "./layers/stencils";
 import { StrutLayer } from "./layers/strut_layer";
-import { DEFAULT_SNAP } from "./picking/snap";
+import { DEFAULT_SNAP, type Line } from "./picking/snap";
 import { Playback } from "./playback/playback";
 import type { Handle } from "./tools/gizmo_parts";
 import { ballAround, middle, ORIGIN } from "./vec";
@@ -50,6 +50,9 @@ export class Stage {
   theme: Theme = THEMES.dark;
   tool: Tool = "select";
   snap: SnapSettings = DEFAULT_SNAP;
+  /** Lines to snap to that are no wire. */
+  construction: readonly Line[] = [];
+  private pointedLine: number | null = null;
   /** Null for the ground. */
   plane: DrawingPlane | null = null;
   spacing: Spacing = { mm: 10, fine: 1 };
@@ -210,6 +213,23 @@ export class Stage {
     this.changed();
   }
 
+  /** Shows construction lines; `pointed`: the place of one that is pointed at. */
+  setConstruction(lines: readonly Line[], pointed: number | null): void {
+    this.construction = lines;
+    this.pointedLine = pointed;
+    this.layConstruction();
+    this.bound();
+  }
+
+  private layConstruction(): void {
+    const { theme } = this;
+    const lines = this.construction.map(([from, to], index): Guide => {
+      const colour = index === this.pointedLine ? theme.selected : theme.stencil;
+      return { from, to, look: { colour } };
+    });
+    this.mark("construction", [], this.designed.visible ? lines : []);
+  }
+
   setStencils(stencils: readonly SceneStencil[]): void {
     this.stencils.show(stencils);
     this.bound();
@@ -270,6 +290,7 @@ export class Stage {
     this.stencils.paint(theme);
     this.gizmo.paint(theme);
     this.moveStencil(this.chosen.shift);
+    this.layConstruction();
     this.playback.paint(theme);
     this.struts.paint(theme);
     this.labels.paint(theme);
@@ -290,7 +311,7 @@ export class Stage {
 
   /** Whether there is something to look at. */
   get empty(): boolean {
-    return this.design.vertices.length === 0 && this.stencils.empty;
+    return this.design.vertices.length === 0 && this.stencils.empty && this.construction.length === 0;
   }
 
   /** After what is played has begun or ended. */
@@ -305,6 +326,7 @@ export class Stage {
     this.designed.visible = !this.playing && !this.struts.shown;
     this.struts.group.visible = !this.playing && this.struts.shown;
     this.moveStencil(this.chosen.shift);
+    this.layConstruction();
     this.changed();
   }
 
@@ -378,7 +400,7 @@ export class Stage {
   }
 
   private everything(): Vec3[] {
-    return [...this.design.at, ...this.stencils.places];
+    return [...this.design.at, ...this.stencils.places, ...this.construction.flat()];
   }
 
   private layGrid(height: number): void {

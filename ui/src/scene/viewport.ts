@@ -168,6 +168,12 @@ export class Viewport {
     this.frameFirst();
   }
 
+  /** Lines that are no wire, each by its two ends; `pointed`: the place of one that is pointed at elsewhere. */
+  setConstruction(lines: readonly (readonly [Vec3, Vec3])[], pointed: number | null): void {
+    this.stage.setConstruction(lines, pointed);
+    this.frameFirst();
+  }
+
   /** Marks a stencil; it moves with the gizmo where nothing is selected. */
   setChosenStencil(chosen: ChosenStencil | null): void {
     this.stage.chooseStencil(chosen);

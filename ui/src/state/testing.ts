@@ -20,6 +20,7 @@ export const designState = (given: Partial<DesignState> = {}): DesignState => ({
   pauses: [],
   start: null,
   stencils: [],
+  construction_mm: [],
   parts: [],
   undo: null,
   units: "mm",

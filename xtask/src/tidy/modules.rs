@@ -43,7 +43,7 @@ const ORDER: &[(&str, &str)] = &[
     ),
     (
         "crates/editor",
-        "request view error history edit_journal figures resolving changing outcome check collisions fixes",
+        "request view error history edit_journal figures resolving construction changing outcome check collisions fixes",
     ),
     (
         "crates/operation",

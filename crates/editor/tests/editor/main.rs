@@ -5,6 +5,7 @@
 
 mod checks;
 mod collisions;
+mod construction;
 mod edits;
 mod fixes;
 mod kept;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use wirebend_core::wireframe::{Change, Delta, EdgeId, StaleDelta, VertexId};
 
+use super::construction::ConstructionLine;
 use super::ids::{Pin, PinTarget, StencilId};
 use super::look::Look;
 use super::part::{PartLook, after_edit, with_look};
@@ -123,6 +124,8 @@ parts! {
     stencils, set_stencils: Vec<PlacedStencil>,
     /// How parts look.
     parts, set_parts: Vec<PartLook>,
+    /// Lines that are no wire.
+    construction, set_construction: Vec<ConstructionLine>,
     machine, set_machine: Option<ProfileSnapshot>,
     material, set_material: Option<ProfileSnapshot>,
     /// Edges that may be laid twice.

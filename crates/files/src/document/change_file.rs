@@ -8,6 +8,7 @@ use wirebend_core::mesh::PlacementError;
 use wirebend_core::wireframe::{Change, Delta, Edge, EdgeId, NextIds, Vertex, VertexId};
 
 use super::change::{DocumentChange, Replaced};
+use super::construction::{ConstructionLine, ConstructionLineFile};
 use super::ids::{Pin, PinFile, StencilId};
 use super::joint::JointFile;
 use super::look::Look;
@@ -59,6 +60,8 @@ struct ChangeFile {
     #[serde(skip_serializing_if = "Option::is_none")]
     parts: Option<[Vec<PartFile>; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    construction: Option<[Vec<ConstructionLineFile>; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     machine: Option<Pair<ProfileSnapshot>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     material: Option<Pair<ProfileSnapshot>>,
@@ -105,6 +108,9 @@ impl DocumentChange {
             surfaces: surfaces.collect::<Result<_, _>>()?,
             stencil: None,
             parts: pair(self.parts.as_deref(), |parts| parts.iter().map(PartFile::from).collect()),
+            construction: pair(self.construction.as_deref(), |lines| {
+                lines.iter().map(ConstructionLineFile::from).collect()
+            }),
             machine: pair(self.machine.as_deref(), Clone::clone),
             material: pair(self.material.as_deref(), Clone::clone),
             doublings: pair(self.doublings.as_deref(), |edges| edges.iter().map(|id| id.0).collect()),
@@ -154,6 +160,9 @@ impl DocumentChange {
             stencils: stencils.transpose()?,
             surfaces: surfaces.collect::<Result<_, _>>()?,
             parts: swap(file.parts, |parts: Vec<PartFile>| parts.into_iter().map(PartLook::from).collect()),
+            construction: swap(file.construction, |lines: Vec<ConstructionLineFile>| {
+                lines.into_iter().map(ConstructionLine::from).collect()
+            }),
             machine: swap(file.machine, |machine| machine),
             material: swap(file.material, |material| material),
             doublings: swap(file.doublings, |edges: Vec<u32>| edges.into_iter().map(EdgeId).collect()),

@@ -5,6 +5,7 @@
 
 mod change;
 mod change_file;
+mod construction;
 mod error;
 mod hash;
 mod ids;
@@ -25,6 +26,7 @@ mod walk;
 mod wireframe;
 
 pub use change::{DocumentChange, Replaced, StaleChange};
+pub use construction::ConstructionLine;
 pub use error::DocumentError;
 pub use hash::sha256_hex;
 pub use ids::{Pin, PinTarget, StencilId};

@@ -6,8 +6,9 @@ use std::num::NonZeroU32;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::mesh::Stencil;
-use wirebend_core::wireframe::{EdgeId, VertexId, Wireframe};
+use wirebend_core::wireframe::{EdgeId, Vertex, VertexId, Wireframe};
 
+use super::construction::{ConstructionLine, ConstructionLineFile};
 use super::error::DocumentError;
 use super::hash::canonical_sha256;
 use super::ids::{Pin, PinFile, PinTarget, StencilId};
@@ -34,6 +35,8 @@ pub struct Document {
     pub surfaces: BTreeMap<StencilId, StencilSource>,
     /// How parts look that were named, coloured or hidden.
     pub parts: Vec<PartLook>,
+    /// Lines to measure and to snap to that are never bent, in the order in which they were drawn.
+    pub construction: Vec<ConstructionLine>,
     /// The machine that it is bent on.
     pub machine: Option<ProfileSnapshot>,
     /// The wire that it is bent from.
@@ -93,6 +96,9 @@ pub(crate) struct ProjectFile {
     /// How parts look that were named, coloured or hidden.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     parts: Vec<PartFile>,
+    /// Lines to measure and to snap to that are never bent.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    construction: Vec<ConstructionLineFile>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     machine: Option<ProfileSnapshot>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -197,6 +203,7 @@ impl Document {
             stencils,
             surfaces,
             parts: content.parts.into_iter().map(PartLook::from).collect(),
+            construction: content.construction.into_iter().map(ConstructionLine::from).collect(),
             machine: content.machine,
             material: content.material,
             doublings: content.doublings.into_iter().map(EdgeId).collect(),
@@ -250,7 +257,7 @@ impl Document {
     }
 
     /// The SHA-256 of the canonical form of what the wire is planned from: vertices, edges,
-    /// doublings and how the wires run. Remarks, pause points, stencils, looks of parts, machine and material do not change it.
+    /// doublings and how the wires run. Remarks, pause points, stencils, construction lines, looks of parts, machine and material do not change it.
     ///
     /// # Errors
     /// [`DocumentError::Write`].
@@ -281,6 +288,7 @@ impl Document {
                 .collect::<Result<_, _>>()?,
             stencil: None,
             parts: self.parts.iter().map(PartFile::from).collect(),
+            construction: self.construction.iter().map(ConstructionLineFile::from).collect(),
             machine: self.machine.clone(),
             material: self.material.clone(),
             doublings: self.doublings.iter().map(|id| id.0).collect(),
@@ -313,6 +321,11 @@ impl Document {
             if let Some(id) = walk.edges.iter().find(|id| self.wireframe.edge(**id).is_none()) {
                 return dangling("walks", format!("edge {id}"));
             }
+        }
+        let mut places = Wireframe::new();
+        for end in self.construction.iter().flat_map(|line| line.ends) {
+            let wrong = |error| DocumentError::Wireframe { file: file.to_owned(), error };
+            places.add_vertex(Vertex::at(end)).map_err(wrong)?;
         }
         if let Some(part) = self.parts.iter().find(|part| self.wireframe.edge(part.edge).is_none()) {
             return dangling("parts", format!("edge {}", part.edge));

@@ -21,6 +21,7 @@ const selected = (): MenuItem[] => [
   item("Split", "split"),
   item("Connect", "connect"),
   item("Merge", "merge"),
+  item("Make construction lines", "construction"),
   RULE,
   item("Mirror…", "mirror"),
   item("Array…", "array"),

@@ -63,6 +63,7 @@ export function Operations() {
         <Now command="connect" label="Connect" />
         <Now command="duplicate" label="Duplicate" />
         <Now command="delete" label="Delete" />
+        <Now command="construction" label="Construction" />
         <Button
           small
           why={whyNot("delete") ?? noEdges}

@@ -2,9 +2,12 @@ import { count } from "../../shared/figures/format";
 import { useDesign } from "../../state/design/design";
 import { partsOf } from "../../state/parts/parts";
 import { Section } from "../panel/Section";
+import { Construction } from "./Construction";
 import { Stencils } from "./Stencils";
 import { Wires } from "./Wires";
 import "./parts.css";
+
+const NO_LINES: readonly [] = [];
 
 /** What the design is made of: wires that hang together, and the stencils that they are traced on. */
 export function PartsSection() {
@@ -21,6 +24,7 @@ export function PartsSection() {
   return (
     <Section id="parts" title="Parts" phrase={phrase.join(" · ")}>
       <Wires parts={parts} />
+      <Construction lines={state?.construction_mm ?? NO_LINES} />
       <Stencils stencils={stencils} />
     </Section>
   );

@@ -26,6 +26,7 @@ const SNAPS: Readonly<Record<SnapKind, string>> = {
   vertex: "Vertices",
   "stencil-vertex": "Corners of the stencil",
   "stencil-edge": "Edges of the stencil",
+  construction: "Construction lines",
   "edge-middle": "Middles of edges (splits them)",
   edge: "Edges (splits them)",
   surface: "Surface of the stencil",

@@ -17,6 +17,7 @@ const SNAP_NAMES: Readonly<Record<SnapKind, string>> = {
   vertex: "Vertex",
   "stencil-vertex": "Corner of the stencil",
   "stencil-edge": "Edge of the stencil",
+  construction: "On a construction line",
   "edge-middle": "Middle of an edge: splits it",
   edge: "On an edge: splits it",
   surface: "On the stencil",

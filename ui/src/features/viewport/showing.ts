@@ -144,6 +144,8 @@ export function show(scene: Scene): () => void {
     const { chosenStencil: chosen, stencilsShown } = useView.getState();
     scene.setChosenStencil(stencilsShown ? chosenOf(state?.stencils ?? [], chosen) : null);
   };
+  const construction = () =>
+    scene.setConstruction(useDesign.getState().state?.construction_mm ?? [], useView.getState().pointedLine);
   const theme = () => scene.setTheme(shownTheme(useUi.getState().theme));
   const system = systemTheme();
   system.addEventListener("change", theme);
@@ -204,6 +206,8 @@ export function show(scene: Scene): () => void {
         if (view.tool === "draw") scene.face(drawnPlane(view));
       },
     ),
+    follow(useDesign, ({ state }) => [state?.construction_mm], construction),
+    follow(useView, (view) => [view.pointedLine], construction),
     follow(useDesign, ({ state }) => [state?.stencils], chosenStencil),
     follow(useView, (view) => [view.chosenStencil, view.stencilsShown], chosenStencil),
     follow(

@@ -16,6 +16,7 @@ export const SNAP_SHAPES: Readonly<Record<SnapKind, Shape>> = {
   vertex: "square",
   "stencil-vertex": "triangle",
   "stencil-edge": "cross",
+  construction: "cross",
   "edge-middle": "diamond",
   edge: "diamond",
   surface: "target",

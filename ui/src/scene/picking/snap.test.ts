@@ -37,6 +37,7 @@ const place = (change: Partial<SnapPlace> = {}): SnapPlace => ({
   ),
   projection: projectionOf("front"),
   stencil: square(),
+  construction: [],
   plane: { origin: [0, 0, 0], u: [1, 0, 0], v: [0, 0, 1] },
   without: NONE,
   ...change,
@@ -102,6 +103,23 @@ it("takes the very middle of an edge that it is near to, and any place of it bes
   expect([half?.kind, half?.at, half?.along]).toEqual(["edge-middle", [30, -5, 50], 0.5]);
   expect(kindAt(45, 53, kinds)).toBe("edge");
   expect(kindAt(45, 53, ["edge-middle"])).toBeUndefined();
+});
+
+it("takes the ends and the middle of a construction line first, then any place of it, before the surface behind", () => {
+  const construction: SnapPlace["construction"] = [
+    [
+      [-80, -5, 60],
+      [-20, -5, 60],
+    ],
+  ];
+  const at = (x: number, z: number, kinds: SnapKind[] = [...ALL, "construction"]) =>
+    snap(place({ construction }), settings(kinds), 400 + x, 300 - z);
+  expect(at(-77, 63)).toEqual({ kind: "construction", at: [-80, -5, 60] });
+  expect(at(-48, 57)).toEqual({ kind: "construction", at: [-50, -5, 60] });
+  const beside = at(-65, 63);
+  expect([beside?.kind, beside?.at.map(Math.round)]).toEqual(["construction", [-65, -5, 60]]);
+  expect(beside).not.toHaveProperty("edge");
+  expect(at(-65, 63, ["surface"])?.kind).toBe("surface");
 });
 
 it("does not take the diagonal of a flat face for an edge", () => {

@@ -5,7 +5,7 @@ import type { DrawnDesign } from "../layers/drawn_design";
 import { GROUND, normalOf } from "../layers/grid";
 import { add, along, dot, inPlane, middle, onPlane, planeAngle, scale, subtract } from "../vec";
 import type { Projection } from "../view/projection";
-import { pickEdge, pickVertex } from "./picking";
+import { nearest, nearOnSegment, pickEdge, pickVertex } from "./picking";
 
 /** Until a person has chosen otherwise. */
 export const DEFAULT_SNAP: SnapSettings = {
@@ -13,6 +13,7 @@ export const DEFAULT_SNAP: SnapSettings = {
     "vertex",
     "stencil-vertex",
     "stencil-edge",
+    "construction",
     "edge-middle",
     "edge",
     "surface",
@@ -51,10 +52,15 @@ export interface SurfaceTargets {
   hides(projection: Projection, at: Vec3): boolean;
 }
 
+/** A line from one place to another. */
+export type Line = readonly [Vec3, Vec3];
+
 export interface SnapPlace {
   readonly design: DrawnDesign;
   readonly projection: Projection;
   readonly stencil: SurfaceTargets | null;
+  /** The two ends of each construction line. */
+  readonly construction: readonly Line[];
   /** Null for the ground. */
   readonly plane: DrawingPlane | null;
   /** Vertices and edges that do not count, by id: they are moved, or the strand comes from there. */
@@ -70,6 +76,8 @@ export function snap(place: SnapPlace, settings: SnapSettings, x: number, y: num
     const found = pickVertex(design, projection, x, y, reach, (id) => without.vertices.has(id));
     if (found && !covered(found.at)) return { kind: "vertex", at: found.at, vertex: found.id };
   }
+  const line = kinds.has("construction") ? onLines(place.construction, projection, x, y, reach) : null;
+  if (line?.point && !covered(line.point)) return { kind: "construction", at: line.point };
   const wanted = kinds.has("stencil-vertex") || kinds.has("stencil-edge") || kinds.has("surface");
   const near = wanted ? stencil?.near(projection, x, y, reach) : undefined;
   if (kinds.has("stencil-vertex") && near?.vertex) return { kind: "stencil-vertex", at: near.vertex };
@@ -84,8 +92,27 @@ export function snap(place: SnapPlace, settings: SnapSettings, x: number, y: num
       return { kind: "edge", at: found.at, edge: found.id, along: found.along };
     }
   }
+  if (line && !covered(line.at)) return { kind: "construction", at: line.at };
   if (kinds.has("surface") && near?.surface) return { kind: "surface", at: near.surface };
   return onDrawingPlane(place, settings, x, y);
+}
+
+/** The nearest place on a line within reach, and its end or middle where that is within reach as well. */
+function onLines(
+  lines: readonly Line[],
+  projection: Projection,
+  x: number,
+  y: number,
+  reach: number,
+): { readonly at: Vec3; readonly point: Vec3 | null } | null {
+  const found = lines.flatMap((line) => {
+    const near = nearOnSegment(projection, line[0], line[1], x, y);
+    return near && near.off <= reach ? [{ line, ...near }] : [];
+  });
+  const best = nearest(found);
+  if (!best) return null;
+  const points = [...best.line, middle(best.line)];
+  return { at: best.at, point: points.find((point) => within(projection, point, x, y, reach)) ?? null };
 }
 
 /** Whether the pointer is so near to a place, in CSS pixels. */

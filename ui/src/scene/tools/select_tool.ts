@@ -236,6 +236,7 @@ export class SelectTool implements ToolHandler {
     const without = { vertices: new Set(moving), edges: new Set<number>() };
     // A stencil that is moved would snap to itself.
     const stencil = stage.stencils.empty || this.stencil !== null ? null : stage.stencils;
+    const { construction } = stage;
     const show = (kind: SnapKind, at: Vec3): void =>
       void signs.push({ at, shape: SNAP_SHAPES[kind], colour: stage.theme.acted, radius: 8 });
     return {
@@ -243,7 +244,9 @@ export class SelectTool implements ToolHandler {
       spacing: stage.snap.grid,
       target: (x, y) => {
         const found =
-          kinds.size > 0 ? snap({ design, projection, stencil, plane: null, without }, settings, x, y) : null;
+          kinds.size > 0
+            ? snap({ design, projection, stencil, construction, plane: null, without }, settings, x, y)
+            : null;
         if (found) show(found.kind, found.at);
         return found?.at ?? null;
       },

@@ -16,10 +16,18 @@ import { TypedEdge } from "./typed_edge";
 const ONE_PLACE = 4;
 
 /** What a flat part can begin and end at, and the plane itself. */
-const ON_PLANE: ReadonlySet<SnapKind> = new Set(["vertex", "edge-middle", "edge", "angle", "grid", "plane"]);
+const ON_PLANE: ReadonlySet<SnapKind> = new Set([
+  "vertex",
+  "construction",
+  "edge-middle",
+  "edge",
+  "angle",
+  "grid",
+  "plane",
+]);
 
 /** What of the design a strand can join. */
-const JOINS: ReadonlySet<SnapKind> = new Set(["vertex", "edge-middle", "edge"]);
+const JOINS: ReadonlySet<SnapKind> = new Set(["vertex", "construction", "edge-middle", "edge"]);
 
 export class TraceTool implements ToolHandler {
   private readonly strand: Strand;
@@ -184,6 +192,7 @@ export class TraceTool implements ToolHandler {
       design: stage.design,
       projection: stage.projection,
       stencil: drawing || stage.stencils.empty ? null : stage.stencils,
+      construction: stage.construction,
       plane: stage.plane,
       without,
     };

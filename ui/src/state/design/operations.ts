@@ -59,6 +59,11 @@ export async function connect(): Promise<void> {
   if (request) await edit(request);
 }
 
+/** The selected edges become lines to measure and to snap to, which are never bent. */
+export async function toConstruction(): Promise<void> {
+  await edit({ edit: "construction", change: { make: "lines", edges: [...selectedEdges()] } });
+}
+
 /** An edge from each selected vertex, mm along an axis; then they are moved by the pointer. */
 export async function extrude(axis: Axis = "z", by = useView.getState().grid * 4, grab = true): Promise<void> {
   const { vertices } = useDesign.getState();

@@ -29,6 +29,7 @@ const view = () => ({
     machine: null,
     units: "mm",
     stencils: [],
+    construction_mm: [],
     parts: [],
   },
   vertices: [],

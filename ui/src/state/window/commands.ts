@@ -182,6 +182,7 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
     () => (useSelection.getState().edges.size > 0 ? null : "Select the edges to split first."),
   ),
   merge: change(() => void operations.merge(), vertices(2, "merge")),
+  construction: change(() => void operations.toConstruction(), edges("make construction lines of")),
   connect: change(() => void operations.connect(), vertices(2, "connect")),
   "view-front": view("front"),
   "view-back": view("back"),

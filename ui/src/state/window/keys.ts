@@ -35,6 +35,7 @@ export type CommandId =
   | "split"
   | "merge"
   | "connect"
+  | "construction"
   | "view-front"
   | "view-back"
   | "view-right"
@@ -105,6 +106,7 @@ export const KEYS: readonly KeyEntry[] = [
   { command: "split", label: "Split the selected edges in the middle", keys: ["S"], group: "Tools" },
   { command: "merge", label: "Merge at the centre", keys: ["M"], group: "Tools" },
   { command: "connect", label: "Connect", keys: ["C"], group: "Tools" },
+  { command: "construction", label: "Make construction lines of the selected edges", keys: ["K"], group: "Tools" },
   { command: "fillet", label: "Fillet: round the selected corners by a radius", keys: ["B"], group: "Tools" },
   { command: "rotate", label: "Rotate the selection by an angle", keys: ["R"], group: "Tools" },
   { command: "end", label: "End a strand, give up a move, select nothing", keys: ["Escape"], group: "Tools" },

@@ -60,6 +60,8 @@ interface ViewStore {
   readonly stencilOpacity: number;
   /** The stencil that is placed: by its fields, and by the gizmo where nothing is selected. */
   readonly chosenStencil: number | null;
+  /** The construction line that is pointed at in its list, by its place there. */
+  readonly pointedLine: number | null;
   /** Whether places that the checks name are written on in the view. */
   readonly annotations: boolean;
   /** Whether the lengths of all edges and the angles between them are written in the view. */
@@ -77,6 +79,7 @@ export const SNAP_KINDS: readonly SnapKind[] = [
   "vertex",
   "stencil-vertex",
   "stencil-edge",
+  "construction",
   "edge-middle",
   "edge",
   "surface",
@@ -100,6 +103,7 @@ export const useView = create<ViewStore>()(() => ({
   stencilsShown: true,
   stencilOpacity: 0.45,
   chosenStencil: null,
+  pointedLine: null,
   annotations: stored("wirebend.annotations") !== "off",
   dimensions: stored("wirebend.dimensions") === "on",
   viewName: "Perspective",

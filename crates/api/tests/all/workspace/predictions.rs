@@ -55,7 +55,8 @@ fn a_prediction_is_stopped_in_its_middle() {
     window.ask("open-example", json!({"id": "house"}));
     let is_under_way = || {
         let told = window.told.0.lock().unwrap();
-        told.iter().any(|event| event["value"]["ask"] == "predict" && event["value"]["done"].as_u64() > Some(0))
+        told.iter()
+            .any(|event| event["value"]["ask"] == "predict" && event["value"]["done"].as_u64() > Some(0))
     };
     std::thread::scope(|scope| {
         let predicted = scope.spawn(|| window.ask("predict", asked("bend-forming", 1_000_000)));

@@ -17,8 +17,8 @@ use wirebend_core::mesh::{Placement, Stencil};
 use wirebend_core::wireframe::{Edge, EdgeId, Joint, JointKind, NextIds, Vertex, VertexId, Wireframe};
 use wirebend_error::ErrorRemedy;
 use wirebend_files::document::{
-    Document, Job, Look, PartLook, PausePoint, Pin, PinTarget, ProfileSnapshot, SourceFile, StencilSource,
-    Walk, WireCount, sha256_hex,
+    ConstructionLine, Document, Job, Look, PartLook, PausePoint, Pin, PinTarget, ProfileSnapshot, SourceFile,
+    StencilSource, Walk, WireCount, sha256_hex,
 };
 use wirebend_files::read::{Format, LengthUnit, ReadOptions, read};
 
@@ -38,6 +38,9 @@ fn example() -> Document {
         stencils: Vec::new(),
         surfaces: BTreeMap::new(),
         parts: vec![PartLook { edge: other, look: Look { hidden: true, ..look("left arm") } }],
+        construction: vec![ConstructionLine {
+            ends: [Point3::new(0.1, -0.0, 1e-17), Point3::new(30.0, 0.0, 5.0)],
+        }],
         machine: Some(ProfileSnapshot {
             id: "wirebend-kit".into(),
             snapshot: json!({"limit_mm": 20.4, "name": "<ä>"}),
@@ -85,6 +88,12 @@ fn a_document_is_laid_out_for_people() {
               "edge": 1,
               "look": {"name": "left arm", "hidden": true}
             }
+          ],
+          "construction": [
+            [
+              [0.1, -0.0, 1e-17],
+              [30.0, 0.0, 5.0]
+            ]
           ],
           "machine": {
             "id": "wirebend-kit",
@@ -222,6 +231,7 @@ fn what_is_no_document_is_refused_with_advice() {
         with("\"doublings\"", "\"doubling\""),
         with("\"id\": 7", "\"id\": 1"),
         with("999999.999", "9999999"),
+        with("[30.0, 0.0, 5.0]", "[30.0, 0.0, 5000000.0]"),
         with("\"a\": 0", "\"a\": 99"),
         with("\"start\": 1", "\"start\": 3"),
         with("\"vertex\": 0", "\"vertex\": 3"),
@@ -239,19 +249,20 @@ fn what_is_no_document_is_refused_with_advice() {
         document-newer: a.wirebend: its version 2 is newer than 1, the newest known here [UpdateProgram]
         document-no-such-version: a.wirebend: there is no version 0 of this format: the file is damaged [UseLastCopy]
         document-wrong-format: a.wirebend: this is a "wbjob" file, expected "wirebend" [OpenAsItIs]
-        document-json: a.wirebend, line 34, column 12: unknown field `doubling`, expected one of `format`, `version`, `wireframe`, `stencils`, `stencil`, `parts`, `machine`, `material`, `doublings`, `start`, `wires`, `closed`, `reversed`, `walks`, `pins`, `pauses`, `notes`, `units`, `source` [UseLastCopy]
+        document-json: a.wirebend, line 40, column 12: unknown field `doubling`, expected one of `format`, `version`, `wireframe`, `stencils`, `stencil`, `parts`, `construction`, `machine`, `material`, `doublings`, `start`, `wires`, `closed`, `reversed`, `walks`, `pins`, `pauses`, `notes`, `units`, `source` [UseLastCopy]
         document-wireframe: a.wirebend: vertex 1 exists already [UseLastCopy]
         document-wireframe: a.wirebend: (30, 0.3333333333333333, 9999999) is not a position: each coordinate must be a number within ±1 000 000 mm [UseLastCopy]
+        document-wireframe: a.wirebend: (30, 0, 5000000) is not a position: each coordinate must be a number within ±1 000 000 mm [UseLastCopy]
         document-wireframe: a.wirebend: there is no vertex 99 [UseLastCopy]
         document-dangling: a.wirebend: "start" names vertex 3, which is not in the wireframe [UseLastCopy]
         document-dangling: a.wirebend: "pins" names vertex 3, which is not in the wireframe [UseLastCopy]
         document-dangling: a.wirebend: "pins" names edge 3, which is not in the wireframe [UseLastCopy]
         document-dangling: a.wirebend: "parts" names edge 3, which is not in the wireframe [UseLastCopy]
         document-dangling: a.wirebend: "pauses" names vertex 3, which is not in the wireframe [UseLastCopy]
-        document-json: a.wirebend, line 59, column 15: invalid value: integer `0`, expected a nonzero u32 [UseLastCopy]
-        document-json: a.wirebend, line 61, column 5: a pause point says what to do: its note is empty [UseLastCopy]
+        document-json: a.wirebend, line 65, column 15: invalid value: integer `0`, expected a nonzero u32 [UseLastCopy]
+        document-json: a.wirebend, line 67, column 5: a pause point says what to do: its note is empty [UseLastCopy]
         document-dangling: a.wirebend: "doublings" names edge 5, which is not in the wireframe [UseLastCopy]
-        document-json: a.wirebend, line 38, column 12: invalid value: integer `0`, expected a nonzero u32 [UseLastCopy]
+        document-json: a.wirebend, line 44, column 12: invalid value: integer `0`, expected a nonzero u32 [UseLastCopy]
         document-closed-wires: a.wirebend: "closed" is for one wire, and "wires" is 3 [UseLastCopy]
     "#]].assert_eq(&refusals(&texts));
 }
