@@ -259,12 +259,14 @@ fn of_poor_readings_it_is_said_what_is_missing_and_what_is_fitted() {
         ),
         (
             "angle-30:1=0.51,29 angle-60:1=120,-59 angle-60:2=-59,59 angle-90:1=89,88.8 angle-90:2=-89,-88.9 \
-             side-35:1=38,37.9 side-140:1=143.2,143.1",
+             side-35:1=1.49,37.9 side-140:1=14.3,143.1",
             "",
             &[
                 "0.5° seems to be in radians",
                 "120.0° seems to be the angle between the legs instead of the bend",
                 "-59.0° is to the other side than was commanded",
+                "1.49 mm seems to be in inches; about 37.93 mm was to be expected",
+                "14.30 mm seems to be in centimetres",
             ],
             "K-factor",
         ),

@@ -47,7 +47,7 @@ pub(super) fn fit(
         &readings,
         Figure::Length,
         |k| Figure::Length(expected[k]),
-        |k, reading| side(expected[k], reading),
+        |k, reading| side(expected[k], reading, assumed.diameter),
     );
     let given = screened.given;
     if screened.data.is_empty() {

@@ -101,11 +101,11 @@ pub(super) fn turn(commanded: Angle, expected: Angle, reading: Angle) -> Result<
     Ok(commanded.signum() * read)
 }
 
-/// A side, in mm.
-pub(super) fn side(expected: Length, reading: Length) -> Result<f64, LeftOutReason> {
-    let (read, wanted) = (reading.mm(), expected.mm());
-    let is_in = |factor: f64| (read * factor / wanted - 1.0).abs() < ABOUT_PART;
-    if read <= 0.0 {
+/// A side from corner to corner, in mm. Another unit is of what was read: over the outside of the wire, half a wire more at either end.
+pub(super) fn side(expected: Length, reading: Length, diameter: Length) -> Result<f64, LeftOutReason> {
+    let (read, outside, wanted) = (reading.mm(), (reading + diameter).mm(), (expected + diameter).mm());
+    let is_in = |factor: f64| (outside * factor / wanted - 1.0).abs() < ABOUT_PART;
+    if outside <= 0.0 {
         return Err(LeftOutReason::Impossible);
     }
     if is_in(25.4) {
@@ -113,6 +113,9 @@ pub(super) fn side(expected: Length, reading: Length) -> Result<f64, LeftOutReas
     }
     if is_in(10.0) {
         return Err(LeftOutReason::Unit(OtherUnit::Centimetres));
+    }
+    if read <= 0.0 {
+        return Err(LeftOutReason::Impossible);
     }
     Ok(read)
 }

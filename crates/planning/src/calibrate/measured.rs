@@ -1,6 +1,8 @@
 //! From a sheet to what `core` fits, and back to its lines.
 
-use wirebend_core::calibrate::{AngleSample, Kind, LengthSample, Measurements, ReadingPlace, TurnSample};
+use wirebend_core::calibrate::{
+    AngleSample, Figure, Kind, LengthSample, Measurements, ReadingPlace, TurnSample,
+};
 use wirebend_core::units::Length;
 use wirebend_files::read::{MeasuringSheet, SheetQuantity, SheetRow};
 
@@ -11,6 +13,7 @@ use crate::machine::{Setup, deg, mm};
 /// The measurements of a sheet, and of each kind the rows that they are from.
 pub(super) struct OfSheet<'a> {
     pub measured: Measurements,
+    diameter: Length,
     bends: Vec<&'a SheetRow>,
     sides: Vec<&'a SheetRow>,
     turns: Vec<&'a SheetRow>,
@@ -18,9 +21,9 @@ pub(super) struct OfSheet<'a> {
 
 impl<'a> OfSheet<'a> {
     pub fn new(sheet: &'a MeasuringSheet, setup: &Setup) -> Result<Self, PlanningError> {
-        let mut found =
-            Self { measured: Measurements::default(), bends: vec![], sides: vec![], turns: vec![] };
         let diameter = setup.model.wire.diameter;
+        let (bends, sides, turns) = (vec![], vec![], vec![]);
+        let mut found = Self { measured: Measurements::default(), diameter, bends, sides, turns };
         for row in &sheet.rows {
             let angles = || {
                 let read = |reading: &Option<f64>| reading.map(deg).transpose();
@@ -62,6 +65,14 @@ impl<'a> OfSheet<'a> {
             }
         }
         Ok(found)
+    }
+
+    /// A figure as it stands in the sheet: a side over the outside of the wire.
+    pub fn as_read(&self, kind: Kind, figure: Figure) -> Figure {
+        match figure {
+            Figure::Length(side) if kind == Kind::Feeds => Figure::Length(over_outside(side, self.diameter)),
+            other => other,
+        }
     }
 
     /// The row that a reading stands in.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_core::calibrate::{
-    Calibration, Estimate, Figure, Fit, Kind, Misfit, Parameter, SpringbackShape,
+    Calibration, Estimate, Figure, Fit, Kind, LeftOut, Misfit, Parameter, SpringbackShape,
 };
 
 use super::measured::OfSheet;
@@ -128,6 +128,8 @@ impl CalibrationReport {
         ];
         let left_out = found.left_out.iter().map(|left| {
             let row = sheet.row(left.kind, left.place);
+            let as_read = |figure| sheet.as_read(left.kind, figure);
+            let left = &LeftOut { reading: as_read(left.reading), expected: as_read(left.expected), ..*left };
             LeftOutReport {
                 kind: left.kind.into(),
                 line: row.map_or(0, |row| row.line),
@@ -162,8 +164,8 @@ fn kind_report(kind: Kind, fit: &Fit, sheet: &OfSheet<'_>) -> KindReport {
         line: sheet.row(kind, residual.place).map_or(0, |row| row.line),
         reading: residual.place.repeat + 1,
         commanded: residual.commanded.plain(),
-        read: residual.reading.plain(),
-        fitted: residual.fitted.plain(),
+        read: sheet.as_read(kind, residual.reading).plain(),
+        fitted: sheet.as_read(kind, residual.fitted).plain(),
     };
     KindReport {
         kind: kind.into(),

@@ -91,8 +91,10 @@ fn other_units_are_recognised_row_by_row() {
     let model = FeedModel::new(mm(1.5), mm(3.0), 0.3);
     let mut lengths = sides(&truth(), &model, 1.0, 0.05, &mut Normals::new(8));
     let side = lengths[1].readings[0].unwrap().mm();
-    lengths[1].readings[0] = Some(mm(side / 25.4));
-    lengths[2].readings[1] = Some(mm(lengths[2].readings[1].unwrap().mm() / 10.0));
+    // A person reads over the outside, half a wire more at either end.
+    let outside = |side: f64, unit: f64| Some(mm((side + 3.0) / unit - 3.0));
+    lengths[1].readings[0] = outside(side, 25.4);
+    lengths[2].readings[1] = outside(lengths[2].readings[1].unwrap().mm(), 10.0);
     let found =
         calibrate(&published(), &Measurements { angles, lengths, turns: vec![] }, ShapeChoice::Better);
     let found = found.unwrap();
