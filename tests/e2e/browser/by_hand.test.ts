@@ -111,6 +111,9 @@ it("makes a dry run of the wire, which is none of what is recorded, and leaves t
   const { recorded } = await state();
   expect(await button("Dry run…").getAttribute("title")).toMatch(/without wire and with the peg in/);
   await button("Dry run…").click();
+  await editor.page.getByRole("dialog").getByText(/wire/).first().waitFor();
+  await editor.isCleanNow("by-hand-dry-run");
+  await editor.page.getByRole("dialog").getByRole("button", { name: "Move", exact: true }).click();
   // The house takes several times as much wire.
   await until(async () => ((await places())[0] ?? 0) > from + 500).toBe(true);
   await rests("ready");

@@ -136,7 +136,7 @@ impl OperatorThread<'_> {
     }
 
     /// A person's word that the machine may be moved, which holds for a while. Where nothing moves, the user is asked only
-    /// about what is in a file, which they have not seen.
+    /// about many moves at one word: a dry run is practised as it is done, and what is in a file they have not seen.
     fn permit_to_move(
         &mut self,
         order: OrderName,
@@ -144,7 +144,9 @@ impl OperatorThread<'_> {
         homes: bool,
     ) -> Result<Permit, OperationError> {
         let simulation = self.connected(order)?.session.simulated();
-        if let Some(simulation) = simulation.filter(|_| order != OrderName::Replay) {
+        if let Some(simulation) =
+            simulation.filter(|_| !matches!(order, OrderName::Replay | OrderName::DryRun))
+        {
             return Ok(simulation.permit(PermitKind::ByHand));
         }
         if let Some(permit) = self.jog_permit.take().and_then(|permit| permit.holds(Instant::now())) {

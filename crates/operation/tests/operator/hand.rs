@@ -131,6 +131,9 @@ fn a_dry_run_makes_each_move_of_a_wire_without_wire() {
     seat.home();
     let dry = |wire| Order::DryRun { wire, accept_settings: false, despite_errors: false };
     seat.operator.order_wire(dry(0), job.clone()).unwrap();
+    // On a simulated machine too: who practises there learns what a real one asks.
+    let asked = seat.says(Answer::Yes);
+    assert!(asked.lines.iter().any(|line| line.contains("remove the wire")), "{asked:?}");
     // Its lines as the firmware has them: feed, rotation and bend, of which each has one.
     let (mut moves, mut moving) = ([0; 3], false);
     loop {
