@@ -254,6 +254,8 @@ requests! {
         Close(workspace::CloseDesign) -> workspace::DesignOpened = Workspace::close, "close";
         /// Puts the surface of a file into the design.
         PutStencil(workspace::PutStencil) -> workspace::EditMade = Workspace::put_stencil, "put-stencil";
+        /// Adds the wireframe of a file to the design.
+        PutWireframe(workspace::PutWireframe) -> workspace::EditMade = Workspace::put_wireframe, "put-wireframe";
         /// Makes a change.
         Edit(workspace::EditDesign) -> workspace::EditMade = Workspace::edit, "edit";
         /// What a fillet or a shape would make, without making it.

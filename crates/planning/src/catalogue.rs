@@ -23,6 +23,8 @@ pub struct MachineEntry {
     pub driver: String,
     /// Whether it bends about a pin by a peg, so that a simulated machine can have its bend head.
     pub has_peg: bool,
+    /// The noise profile that its errors are taken from, where its profile names one.
+    pub noise: Option<String>,
     /// The formats that can be written for it, its default first.
     pub formats: Vec<String>,
     /// Its own format, where only its driver writes it.
@@ -90,6 +92,7 @@ pub fn machines(
         let profile = &machine.profile;
         Ok(MachineEntry {
             driver: profile.driver.id.clone().unwrap_or_default(),
+            noise: profile.error.as_ref().map(|noise| noise.value.clone()),
             has_peg: matches!(figures.bend, BendFigures::Peg { .. }),
             formats: profile.export.formats.clone().unwrap_or_default(),
             native: profile.export.native.clone(),

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::checks::{Code, Fact};
+use wirebend_profile::Kind;
 
 use crate::choices::PlanChoices;
 use crate::design::DesignInput;
@@ -190,7 +191,9 @@ pub fn compare(
         let choices = PlanChoices { machine: Some(id.clone()), ..request.choices.clone() };
         let (mut other, fits) = beside(&choices)?;
         let own = machine.profile.default_material.map(|own| own.value);
-        let own = own.filter(|own| !fits && *own != other.side.material);
+        let own = own.filter(|own| {
+            *own != other.side.material && (!fits || is_version(app, own, &other.side.material))
+        });
         if own.is_some() {
             other.own_wire = Some(Box::new(beside(&PlanChoices { material: own, ..choices })?.0));
         }
@@ -277,4 +280,10 @@ impl Findings {
 fn is_same(a: &DiagnosticReport, b: &DiagnosticReport) -> bool {
     let place = |d: &DiagnosticReport| (d.vertex, d.edge, d.step, d.vertices.clone(), d.edges.clone());
     a.code == b.code && place(a) == place(b)
+}
+
+/// Whether a wire inherits from another, as a calibrated one does from the wire that it was before.
+fn is_version(app: &Installation, own: &str, of: &str) -> bool {
+    let explained = app.library.explain(Kind::Material, own);
+    explained.is_ok_and(|explained| explained.chain.iter().skip(1).any(|parent| parent.id == of))
 }

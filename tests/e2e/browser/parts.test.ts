@@ -1,3 +1,5 @@
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { Editor, until } from "../support/editor.ts";
 import { Sight } from "../support/sight.ts";
@@ -184,4 +186,30 @@ it("makes construction lines of edges, snaps to them, and makes edges of them ag
   await parts().getByRole("button", { name: "Delete Line 1" }).click();
   await lines.first().waitFor({ state: "detached" });
   expect((await editor.design()).vertices).toEqual([]);
+});
+
+it("adds a drawing to the design that is open, from either menu", async () => {
+  await editor.take("house", "parts");
+  const edges = (await editor.design()).edges.length;
+  for (const [name, how] of [
+    ["two.obj", "drop"],
+    ["three.obj", "stencil"],
+  ] as const) {
+    const drawing = "v 0 0 500\nv 70 0 500\nv 70 50 500\nl 1 2 3\n";
+    if (how === "drop") await editor.drop(name, drawing);
+    else {
+      const file = join(editor.loopback.home, name);
+      writeFileSync(file, drawing);
+      await editor.choose(file, () => parts().getByRole("button", { name: "Open stencil…" }).click());
+    }
+    const dialog = editor.page.getByRole("dialog", { name: `Open ${name}` });
+    const before = (await editor.design()).edges.length;
+    await dialog.getByRole("button", { name: "Add to this design" }).waitFor();
+    await editor.isCleanNow(`parts-add-${how}`);
+    expect(await dialog.getByRole("button", { name: "Open", exact: true }).count()).toBe(how === "drop" ? 1 : 0);
+    await dialog.getByRole("button", { name: "Add to this design" }).click();
+    await dialog.waitFor({ state: "detached" });
+    expect((await editor.design()).edges.length).toBe(before + 2);
+  }
+  expect((await editor.design()).edges.length).toBe(edges + 4);
 });

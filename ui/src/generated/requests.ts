@@ -725,6 +725,7 @@ export interface Requests {
   "profile-view": ProfileViewRequest;
   program: ProgramRequest;
   "put-stencil": PutStencil;
+  "put-wireframe": PutWireframe;
   recorded: RecordedRequest;
   redo: Redo;
   restore: RestoreUnsaved;
@@ -1471,6 +1472,12 @@ export interface ProgramRequest {}
  * Puts the surface of a file into the design, to trace on.
  */
 export interface PutStencil {
+  design: DesignInput;
+}
+/**
+ * Adds the wireframe of a file to the design, where it lies in the file.
+ */
+export interface PutWireframe {
   design: DesignInput;
 }
 /**

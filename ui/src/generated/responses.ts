@@ -1931,6 +1931,7 @@ export interface Responses {
   "profile-view": ProfileView;
   program: ProgramResponse;
   "put-stencil": EditMade;
+  "put-wireframe": EditMade;
   recorded: Recorded;
   redo: EditMade;
   restore: DesignOpened;
@@ -4826,6 +4827,10 @@ export interface MachineEntry {
    * Its own format, where only its driver writes it.
    */
   native: string | null;
+  /**
+   * The noise profile that its errors are taken from, where its profile names one.
+   */
+  noise: string | null;
   /**
    * Whether it comes with the program.
    */

@@ -1,18 +1,21 @@
 //! The open design: opening, editing, checking, saving.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use wirebend_planning::PlanningError;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use wirebend_core::wireframe::{Vertex, VertexId};
+use wirebend_editor::{DesignState, PastedVertex};
 use wirebend_error::ProblemReport;
-use wirebend_files::document::DocumentError;
+use wirebend_files::document::{DocumentError, JointFile};
 
 use super::{RecentEntry, Workspace, empty};
 use crate::{
     ApiError, DesignInput, DesignView, EditOutcome, EditRequest, Editor, Fix, FixAll, Input, LiveCheck,
     Moved, Progress, Unsaved, ViewChange,
 };
+use wirebend_planning::choices::PlanChoices;
 use wirebend_planning::report::{DiagnosticCode, NoteReport};
 
 /// What a window needs when it opens.
@@ -65,6 +68,13 @@ pub struct DesignOpened {
 /// Puts the surface of a file into the design, to trace on.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct PutStencil {
+    /// The file and how to read it.
+    pub design: DesignInput,
+}
+
+/// Adds the wireframe of a file to the design, where it lies in the file.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct PutWireframe {
     /// The file and how to read it.
     pub design: DesignInput,
 }
@@ -221,6 +231,33 @@ impl Workspace {
         let (stencil, notes) = asked.design.stencil(progress)?;
         let change = self.open().put_stencil(stencil)?;
         Ok(EditMade { change: Some(change), notes })
+    }
+
+    pub(crate) fn put_wireframe(
+        &self,
+        asked: &PutWireframe,
+        progress: &dyn Progress,
+    ) -> Result<EditMade, ApiError> {
+        let app = self.installation();
+        let DesignState { machine, material, .. } = self.open().state();
+        let choices = PlanChoices { machine, material, ..PlanChoices::default() };
+        let opened = asked.design.open_with(&app, &choices, progress)?.with_wireframe()?;
+        let wireframe = &opened.document.wireframe;
+        let ids: Vec<VertexId> = wireframe.vertices().map(|(id, _)| id).collect();
+        let vertex = |(_, vertex): (VertexId, Vertex)| PastedVertex {
+            at_mm: vertex.position.coords.into(),
+            support: vertex.support,
+            joint: vertex.joint.map(JointFile::from),
+        };
+        let place = |id| ids.binary_search(&id).unwrap_or_default();
+        let paste = EditRequest::Paste {
+            vertices: wireframe.vertices().map(vertex).collect(),
+            edges: wireframe.edges().map(|(_, edge)| [place(edge.a), place(edge.b)]).collect(),
+        };
+        let name = Path::new(&opened.name).file_name().map(|name| name.to_string_lossy().into_owned());
+        let label = format!("add {}", name.unwrap_or(opened.name));
+        let change = self.open().edit(&app, &EditRequest::Several { label, edits: vec![paste] })?;
+        Ok(EditMade { change: Some(change), notes: opened.notes })
     }
 
     pub(crate) fn edit(&self, asked: &EditDesign, _: &dyn Progress) -> Result<EditMade, ApiError> {

@@ -42,7 +42,7 @@ pub use collisions::{CheckCollisions, CollisionsStopped, StopCollisions};
 pub use design::{
     CheckDesign, ClearRecent, CloseDesign, DesignOpened, DiscardUnsaved, EditDesign, EditMade, FixAllRequest,
     FixAllResponse, FixesRequest, FixesResponse, NewDesign, OpenDesign, OpenExample, OutcomeRequest,
-    OutcomeResponse, PutStencil, Redo, RestoreUnsaved, SaveDesign, Start, Started, Undo,
+    OutcomeResponse, PutStencil, PutWireframe, Redo, RestoreUnsaved, SaveDesign, Start, Started, Undo,
 };
 pub use error::ApiErrorReport;
 pub use examples::{ExampleEntry, ExamplesRequest, ExamplesResponse};

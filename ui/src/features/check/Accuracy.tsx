@@ -10,7 +10,14 @@ import { useWork } from "../../state/asking/work";
 import { useDesign } from "../../state/design/design";
 import { select } from "../../state/design/selection";
 import { useFrame } from "../../state/frame/frame";
-import { choosePrediction, noiseTaken, usePrediction, usePredictionStale } from "../../state/prediction/prediction";
+import { useMachines } from "../../state/machine/machines";
+import {
+  choosePrediction,
+  noiseOf,
+  noiseTaken,
+  usePrediction,
+  usePredictionStale,
+} from "../../state/prediction/prediction";
 import { frame } from "../../state/window/view";
 import { gradientOf } from "../frame/ramp";
 import { displacement, exactness } from "../frame/words";
@@ -32,12 +39,13 @@ const SOURCES: Readonly<Record<ReturnType<typeof sources>[number]["source"], str
 /** How far off the machine will make the design, before it is bent. */
 export function Accuracy() {
   const { noise, within, answer, problem, shown, asking } = usePrediction();
+  const machines = useMachines((store) => store.machines);
   const stale = usePredictionStale();
   const machine = useDesign(({ state }) => state?.machine ?? null);
   const check = useDesign((design) => design.check);
   const known = useFrame(({ choices }) => choices?.errors ?? null);
   const work = useWork(({ works }) => works.get("predict"));
-  const taken = noiseTaken(noise, machine, known ?? []);
+  const taken = noiseTaken(noise, noiseOf(machines, machine), known ?? []);
   const hasProgram = check?.wires.some(({ bends }) => bends !== null) ?? false;
   const why = hasProgram ? null : "There is no program yet: the findings above say why.";
   return (

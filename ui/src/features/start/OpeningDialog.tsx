@@ -13,7 +13,16 @@ import { Dialog } from "../../shared/layers/Dialog";
 import { told } from "../../state/asking/problems";
 import { useDesign } from "../../state/design/design";
 
-import { baseName, isBegun, isDrawing, type Opening, openAs, type Use, useFiles } from "../../state/files/files";
+import {
+  addWireframe,
+  baseName,
+  isBegun,
+  isDrawing,
+  type Opening,
+  openAs,
+  type Use,
+  useFiles,
+} from "../../state/files/files";
 import { asInput, CurveFields, cuttingFor } from "./CurveFields";
 
 import { likeness } from "./likeness";
@@ -81,11 +90,14 @@ function Asking({ opening }: { readonly opening: Opening }) {
 
   const size = look.size_mm;
   const like = size && likeness(Math.max(...size));
-  const chosen: Use | null = purpose === "stencil" ? "stencil" : surface ? use : null;
-  const submit = async () => {
+  const chosen: Use | null = surface ? (purpose === "stencil" ? "stencil" : use) : null;
+  // What has no surface is a wireframe: beside the design that is open, or instead of it.
+  const adds = filled && !surface && look.edges > 0;
+  const onlyAdds = adds && purpose === "stencil";
+  const submit = async (add: boolean) => {
     setBusy(true);
     try {
-      await openAs(design, chosen);
+      await (add ? addWireframe(design) : openAs(design, chosen));
     } finally {
       setBusy(false);
     }
@@ -97,8 +109,18 @@ function Asking({ opening }: { readonly opening: Opening }) {
       actions={
         <>
           <Button onClick={close}>Cancel</Button>
-          <Button kind="primary" data-first why={busy ? "Reading the file" : null} onClick={() => void submit()}>
-            {chosen === "stencil" && filled ? "Add to this design" : "Open"}
+          {adds && !onlyAdds && (
+            <Button why={busy ? "Reading the file" : null} onClick={() => void submit(true)}>
+              Add to this design
+            </Button>
+          )}
+          <Button
+            kind="primary"
+            data-first
+            why={busy ? "Reading the file" : null}
+            onClick={() => void submit(onlyAdds)}
+          >
+            {onlyAdds || (chosen === "stencil" && filled) ? "Add to this design" : "Open"}
           </Button>
         </>
       }

@@ -118,6 +118,7 @@ const ASKS: Readonly<Record<string, string>> = {
   look: "Reading",
   "open-example": "Opening",
   "put-stencil": "Reading the stencil",
+  "put-wireframe": "Reading the wireframe",
   drivers: "Loading drivers",
   "machine-view": "Loading the driver",
   fixes: "Searching for fixes",

@@ -185,13 +185,21 @@ export type Use = "stencil" | "edges" | "both";
 export const isBegun = ({ vertices, state }: Pick<DesignStore, "vertices" | "state">): boolean =>
   vertices.size > 0 || (state?.stencils.length ?? 0) > 0;
 
+/** Adds the wireframe of what was looked into to the design that is open; false where it came to nothing, and the question stays. */
+export async function addWireframe(design: DesignInput): Promise<boolean> {
+  const { opening } = useFiles.getState();
+  const put = await reading(opening ? baseName(opening.path) : "", () => putInto("put-wireframe", design));
+  if (put) useView.getState().handle?.frame();
+  return put;
+}
+
 /** Opens what was looked into as the person says; false where it came to nothing, and the question stays. */
 export async function openAs(design: DesignInput, use: Use | null): Promise<boolean> {
   const { opening } = useFiles.getState();
   const name = opening ? baseName(opening.path) : "";
   if (use === "stencil" && isBegun(useDesign.getState())) {
     // What is there is kept: the surface comes beside it.
-    const put = await reading(name, () => putStencil(design));
+    const put = await reading(name, () => putInto("put-stencil", design));
     if (put) useView.getState().handle?.frame();
     return put;
   }
@@ -209,10 +217,10 @@ export async function openAs(design: DesignInput, use: Use | null): Promise<bool
   return true;
 }
 
-/** Changes that are made while the surface is read wait for it. */
-function putStencil(design: DesignInput): Promise<boolean> {
+/** Changes that are made while the file is read wait for it. */
+function putInto(ask: "put-stencil" | "put-wireframe", design: DesignInput): Promise<boolean> {
   return inTurn(async () => {
-    const made = await told(asking("put-stencil", { design }));
+    const made = await told(asking(ask, { design }));
     if (!made?.change) return false;
     useFiles.setState({ opening: null });
     useDesign.setState({ notes: made.notes });

@@ -10,6 +10,7 @@ import { designState } from "../testing";
 import {
   choosePrediction,
   forgetPrediction,
+  noiseOf,
   noiseTaken,
   predict,
   predictedNow,
@@ -37,6 +38,12 @@ describe("the errors that are taken", () => {
     const own = [...errors, { id: "mine", name: "Mine" }];
     expect(noiseTaken("mine", "mine", own)).toBe("mine");
     expect(noiseTaken(null, "mine", own)).toBe("mine");
+    const machines = [
+      { id: "kit", noise: "mine" },
+      { id: "plain", noise: null },
+    ];
+    expect(noiseTaken(null, noiseOf(machines, "kit"), own)).toBe("mine");
+    expect([noiseOf(machines, "plain"), noiseOf(machines, null), noiseOf(null, "kit")]).toEqual([null, null, null]);
     expect(noiseTaken("gone", "other", own)).toBe("typical");
     expect(noiseTaken(null, null, [])).toBeNull();
   });

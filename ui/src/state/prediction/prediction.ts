@@ -6,6 +6,7 @@ import { platform } from "../../platform";
 import { asking } from "../asking/work";
 import { useDesign } from "../design/design";
 import { useFrame } from "../frame/frame";
+import { useMachines } from "../machine/machines";
 
 interface Answer {
   readonly value: Prediction;
@@ -39,22 +40,29 @@ export function choosePrediction(choice: Partial<Pick<PredictionStore, "noise" |
   usePrediction.setState(choice);
 }
 
+/** The noise profile that the profile of a machine names. */
+export const noiseOf = (
+  machines: readonly { readonly id: string; readonly noise: string | null }[] | null,
+  machine: string | null,
+): string | null => machines?.find(({ id }) => id === machine)?.noise ?? null;
+
 /** The noise profile that is taken: the one that was chosen, else that of the machine, else the first that has errors. */
 export function noiseTaken(
   noise: string | null,
-  machine: string | null,
+  /** That which the machine's profile names. */
+  own: string | null,
   known: readonly { id: string }[],
 ): string | null {
   const has = (id: string | null) => known.some((entry) => entry.id === id);
   if (noise !== null && has(noise)) return noise;
-  if (has(machine)) return machine;
+  if (has(own)) return own;
   return known.find(({ id }) => id !== "none")?.id ?? null;
 }
 
 const taken = (): string | null =>
   noiseTaken(
     usePrediction.getState().noise,
-    useDesign.getState().state?.machine ?? null,
+    noiseOf(useMachines.getState().machines, useDesign.getState().state?.machine ?? null),
     useFrame.getState().choices?.errors ?? [],
   );
 

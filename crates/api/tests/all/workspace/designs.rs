@@ -84,6 +84,32 @@ fn a_stencil_is_put_into_the_design_and_drawn_as_triangles() {
     assert_eq!(window.try_ask("put-stencil", file(&example("house.obj"))).unwrap_err().code, "no-surface");
 }
 
+/// A drawing comes beside the wire that is there, where it lies in its file, and goes with one undo.
+#[test]
+fn the_wireframe_of_a_file_is_added_to_the_design() {
+    let window = Window::new();
+    window.ask("open-example", json!({"id": "house"}));
+    let before = window.ask("start", json!({}))["design"].take();
+    let path = window.file("two.obj", b"v 0 0 500\nv 70 0 500\nv 70 50 500\nl 1 2 3\n");
+    let put = window.ask("put-wireframe", file(&path));
+    let change = &put["change"];
+    let at: Vec<Value> =
+        change["vertices"].as_array().unwrap().iter().map(|vertex| vertex["at_mm"].clone()).collect();
+    assert_eq!(at, [json!([0.0, 0.0, 500.0]), json!([70.0, 0.0, 500.0]), json!([70.0, 50.0, 500.0])]);
+    let ids: Vec<&Value> =
+        change["vertices"].as_array().unwrap().iter().map(|vertex| &vertex["id"]).collect();
+    let edges = change["edges"].as_array().unwrap().iter();
+    let ends: Vec<[&Value; 2]> = edges.map(|edge| [&edge["a"], &edge["b"]]).collect();
+    assert_eq!(ends, [[ids[0], ids[1]], [ids[1], ids[2]]]);
+    assert_eq!(
+        (change["gone_edges"].as_array().map(Vec::len), &change["state"]["undo"]),
+        (Some(0), &json!("add two.obj"))
+    );
+    window.ask("undo", json!({}));
+    let after = window.ask("start", json!({}))["design"].take();
+    assert_eq!((&before["vertices"], &before["edges"]), (&after["vertices"], &after["edges"]));
+}
+
 /// The list of recent files is how most people open their work.
 #[test]
 fn what_was_opened_and_saved_is_remembered_once_and_last_first() {

@@ -39,7 +39,7 @@ fn a_wrong_file_is_refused_with_its_name_and_the_design_stays() {
     assert!(files.len() >= 20);
     for (name, contents) in files {
         let path = window.file(name, &contents);
-        for ask in ["look", "open", "put-stencil"] {
+        for ask in ["look", "open", "put-stencil", "put-wireframe"] {
             let Err(refusal) = window.try_ask(ask, file(&path)) else {
                 // A drawing is known by what is in it.
                 assert_eq!(name, "really-a-dxf.stl", "{ask}");

@@ -21,6 +21,7 @@ export function Comparison() {
   if (!compared) return null;
   const { machine, from, to, problem } = compared;
   const own = to?.own_wire ?? null;
+  const misfit = to?.newly_infeasible.diagnostics.some(({ code }) => code === "wire_does_not_fit") ?? false;
   const name = machines?.find(({ id }) => id === machine)?.name ?? machine;
   const wireOf = (side: OtherSide) => materials?.find(({ id }) => id === side.material)?.name ?? side.material;
   // What is recommended is what is shown.
@@ -43,7 +44,15 @@ export function Comparison() {
           {own && (
             <>
               <ul>
-                <Line tone="error" what={`${wireOf(to)} does not fit it`} sub={null} />
+                {misfit ? (
+                  <Line tone="error" what={`${wireOf(to)} does not fit it`} sub={null} />
+                ) : (
+                  <Line
+                    tone="info"
+                    what={`It has a wire of its own: ${wireOf(own)}`}
+                    sub={`That is ${wireOf(to)} as it was measured for this machine.`}
+                  />
+                )}
               </ul>
               <p className="comparison-wire">With its own wire, {wireOf(own)}</p>
             </>

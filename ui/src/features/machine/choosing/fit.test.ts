@@ -24,6 +24,7 @@ const machine: MachineEntry = {
   file: "",
   driver: "kit",
   has_peg: true,
+  noise: null,
   formats: [],
   native: null,
   default_material: "aluminium",
