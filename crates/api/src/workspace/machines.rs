@@ -153,8 +153,11 @@ impl Workspace {
             diameter_mm: [figures.min_diameter_mm, figures.max_diameter_mm],
             max_stock_mm: limits.max_stock_mm,
             rates: [figures.feed_rate_mm_per_s, figures.rotate_rate_deg_per_s, figures.bend_rate_deg_per_s],
-            head_measured: matches!(figures.bend, BendFigures::Peg { .. })
-                .then(|| profile.bend.orbit_offset_mm.as_ref().is_some_and(|offset| offset.measured)),
+            head_measured: matches!(figures.bend, BendFigures::Peg { .. }).then(|| {
+                let bend = &profile.bend;
+                let head = [&bend.orbit_radius_mm, &bend.orbit_offset_mm, &bend.rod_radius_mm];
+                head.into_iter().flatten().any(|figure| figure.measured || figure.within_95.is_some())
+            }),
             peg_top_mm: peg_top_mm(profile.shapes.as_deref().unwrap_or_default()),
             shapes: profile.shapes.clone().unwrap_or_default(),
             pivot_mm: [pivot_mm(&figures), 0.0, 0.0],

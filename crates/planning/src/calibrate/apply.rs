@@ -102,7 +102,9 @@ impl Values<'_> {
                 self.date
             )
         };
-        sourced(&json!(round(value, 1e4)), &how, estimate.is_identified())
+        let mut figure = sourced(&json!(round(value, 1e4)), &how, estimate.is_identified());
+        figure["within_95"] = json!(within);
+        figure
     }
 
     fn of_machine(&self) -> Vec<(&'static str, Value)> {

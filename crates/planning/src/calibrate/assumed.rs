@@ -21,10 +21,17 @@ const K_MEASURED: f64 = 0.03;
 const PROTRACTOR_DEG: f64 = 0.5;
 const READ_MM: f64 = 0.1;
 
+/// The standard deviation of what is this near in 95 of 100 cases.
+fn deviation_of(within_95: f64) -> f64 {
+    within_95 / 1.96
+}
+
 fn known(value_mm: f64, stated: Option<&Sourced<f64>>) -> Result<KnownLength, PlanningError> {
-    let measured = stated.is_some_and(|stated| stated.measured);
-    let off =
-        if measured { (MEASURED * value_mm.abs()).max(CALIPER_MM) } else { UNMEASURED * value_mm.abs() };
+    let off = match stated {
+        Some(Sourced { within_95: Some(within), .. }) => deviation_of(*within),
+        Some(Sourced { measured: true, .. }) => (MEASURED * value_mm.abs()).max(CALIPER_MM),
+        _ => UNMEASURED * value_mm.abs(),
+    };
     Ok(KnownLength { value: mm(value_mm)?, deviation: mm(off)? })
 }
 
@@ -39,7 +46,11 @@ impl Setup {
         let plain = |stated: &Option<Sourced<f64>>| stated.as_ref().map_or(0.0, |stated| stated.value);
         let peg = model.setback.is_some().then(|| {
             let mut orbit_offset = known(plain(&bend.orbit_offset_mm), bend.orbit_offset_mm.as_ref())?;
-            if bend.orbit_offset_mm.as_ref().is_none_or(|stated| !stated.measured) {
+            if bend
+                .orbit_offset_mm
+                .as_ref()
+                .is_none_or(|stated| !stated.measured && stated.within_95.is_none())
+            {
                 orbit_offset.deviation = orbit_offset.deviation.max(mm(OFFSET_UNMEASURED_MM)?);
             }
             Ok::<_, PlanningError>(KnownPeg {
@@ -57,9 +68,35 @@ impl Setup {
             diameter: Length::from_mm(wire.diameter_mm).unwrap_or_default(),
             k_factor: wire.k_factor,
             motion: self.model.compensation.motion,
-            k_deviation: if k.is_some_and(|k| k.measured) { K_MEASURED } else { K_UNMEASURED },
+            k_deviation: match k {
+                Some(Sourced { within_95: Some(within), .. }) => deviation_of(*within),
+                Some(Sourced { measured: true, .. }) => K_MEASURED,
+                _ => K_UNMEASURED,
+            },
             angle_reading: deg(PROTRACTOR_DEG)?,
             length_reading: mm(READ_MM)?,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A calibration that knew an orbit to 3.9 mm has not measured it to a hundredth: the next one begins with what it knew.
+    #[test]
+    fn a_calibrated_figure_is_known_as_well_as_the_calibration_knew_it() {
+        let stated = |measured, within_95| Sourced {
+            value: 20.0,
+            source: "a calibration".to_owned(),
+            measured,
+            within_95,
+        };
+        let deviation = |stated: &Sourced<f64>| known(20.0, Some(stated)).unwrap().deviation.mm();
+        for measured in [true, false] {
+            assert!((deviation(&stated(measured, Some(3.92))) - 2.0).abs() < 1e-9);
+        }
+        assert!((deviation(&stated(true, None)) - 0.2).abs() < 1e-9);
+        assert!((deviation(&stated(false, None)) - 3.0).abs() < 1e-9);
     }
 }
