@@ -1,10 +1,10 @@
 //! Construction lines of a design: made of edges, made edges of, and deleted.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point3;
 use wirebend_core::units::Length;
-use wirebend_core::wireframe::{Delta, EdgeId, Edit, VertexId, Wireframe};
+use wirebend_core::wireframe::{Delta, EdgeId, Edit, Vertex, VertexId};
 use wirebend_files::document::{ConstructionLine, Document, DocumentChange};
 
 use crate::{ConstructionChange, EditorError};
@@ -43,25 +43,97 @@ fn from_edges(document: &Document, edges: &[u32]) -> Result<Option<DocumentChang
     Ok(document.set_construction(lines).map(|lines| change.and(lines)))
 }
 
-/// Construction lines become edges, joined to vertices that are there. One that an edge lies on already only goes.
+/// Construction lines become edges, joined to vertices that are there. One that an edge lies on already only goes; one that is shorter than
+/// what is joined stays.
 fn to_edges(document: &Document, lines: &[u32], weld: Length) -> Result<Option<DocumentChange>, EditorError> {
-    let (taken, left) = taken(document, lines)?;
-    let mut scratch = document.wireframe.clone();
-    let mut delta = Delta::none(&document.wireframe);
-    for ConstructionLine { ends: [from, to] } in taken {
-        let (first, last) = (vertex_at(&scratch, from, weld), vertex_at(&scratch, to, weld));
-        let is_there = first.zip(last).is_some_and(|(a, b)| {
-            a == b || scratch.edges().any(|(_, edge)| [(a, b), (b, a)].contains(&(edge.a, edge.b)))
+    let (taken, mut left) = taken(document, lines)?;
+    let wireframe = &document.wireframe;
+    let mut places = Places::new(weld);
+    for (id, vertex) in wireframe.vertices() {
+        places.add(vertex.position, End::Old(id));
+    }
+    let old = wireframe.edges().map(|(_, edge)| pair(End::Old(edge.a), End::Old(edge.b)));
+    let mut drawn: BTreeSet<(End, End)> = old.collect();
+    let (mut new, mut among_new, mut joining) = (Vec::new(), Vec::new(), Vec::new());
+    for line in taken {
+        let [a, b] = line.ends.map(|at| {
+            places.find(at).unwrap_or_else(|| {
+                let end = End::New(new.len());
+                new.push(Vertex::at(at));
+                places.add(at, end);
+                end
+            })
         });
-        if is_there {
-            continue;
+        if a == b {
+            left.push(line);
+        } else if drawn.insert(pair(a, b)) {
+            match (a, b) {
+                (End::New(a), End::New(b)) => among_new.push((a, b)),
+                ends => joining.push(ends),
+            }
         }
-        let new = [first.is_none().then_some(from), last.is_none().then_some(to)];
-        let through = new.into_iter().flatten().collect();
-        delta = delta.then(&scratch.apply(&Edit::Draw { from: first, through, to: last })?);
+    }
+    let mut scratch = wireframe.clone();
+    let first = wireframe.next_ids().vertex;
+    let mut delta = Delta::none(wireframe);
+    if !new.is_empty() {
+        delta = delta.then(&scratch.apply(&Edit::Paste { vertices: new, edges: among_new })?);
+    }
+    let id = |end| match end {
+        End::Old(id) => id,
+        End::New(place) => VertexId(first.saturating_add(u32::try_from(place).unwrap_or(u32::MAX))),
+    };
+    for (a, b) in joining {
+        delta = delta.then(&scratch.apply(&Edit::Connect { a: id(a), b: id(b) })?);
     }
     let change = DocumentChange::of_edit(document, delta);
     Ok(document.set_construction(left).map(|lines| change.and(lines)))
+}
+
+/// An end of a line: a vertex that is there, or one of those that are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum End {
+    Old(VertexId),
+    New(usize),
+}
+
+/// An edge by its ends, whichever way it was drawn.
+fn pair(a: End, b: End) -> (End, End) {
+    if a <= b { (a, b) } else { (b, a) }
+}
+
+/// Ends by where they are, in cells as wide as what is joined.
+struct Places {
+    weld: Length,
+    cells: BTreeMap<[i64; 3], Vec<(Point3<f64>, End)>>,
+}
+
+impl Places {
+    const fn new(weld: Length) -> Self {
+        Self { weld, cells: BTreeMap::new() }
+    }
+
+    fn cell(&self, at: Point3<f64>) -> [i64; 3] {
+        #[allow(clippy::cast_possible_truncation)] // within a kilometre, in parts of a millimetre
+        let cell = |mm: f64| (mm / self.weld.mm().max(1e-9)).floor() as i64;
+        [cell(at.x), cell(at.y), cell(at.z)]
+    }
+
+    fn add(&mut self, at: Point3<f64>, end: End) {
+        self.cells.entry(self.cell(at)).or_default().push((at, end));
+    }
+
+    /// The nearest end that is as good as there.
+    fn find(&self, at: Point3<f64>) -> Option<End> {
+        let [x, y, z] = self.cell(at);
+        let near =
+            (-1..=1).flat_map(|i| (-1..=1).flat_map(move |j| (-1..=1).map(move |k| [x + i, y + j, z + k])));
+        let ends = near.filter_map(|cell| self.cells.get(&cell)).flatten();
+        let apart = ends
+            .map(|(place, end)| ((place - at).norm(), *end))
+            .filter(|(apart, _)| *apart <= self.weld.mm());
+        apart.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, end)| end)
+    }
 }
 
 /// The lines at places of the list, and the rest.
@@ -78,12 +150,4 @@ fn taken(
     let (taken, left): (Vec<_>, Vec<_>) = (0..).zip(all).partition(|(place, _)| lines.contains(place));
     let alone = |lines: Vec<(u32, &ConstructionLine)>| lines.into_iter().map(|(_, line)| *line).collect();
     Ok((alone(taken), alone(left)))
-}
-
-/// The nearest vertex that is as good as there.
-fn vertex_at(wireframe: &Wireframe, at: Point3<f64>, weld: Length) -> Option<VertexId> {
-    let apart =
-        |(id, vertex): (VertexId, wirebend_core::wireframe::Vertex)| ((vertex.position - at).norm(), id);
-    let nearest = wireframe.vertices().map(apart).min_by(|a, b| a.0.total_cmp(&b.0))?;
-    (nearest.0 <= weld.mm()).then_some(nearest.1)
 }

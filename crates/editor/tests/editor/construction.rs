@@ -43,16 +43,16 @@ fn edges_become_lines_and_lines_become_edges_that_join() {
 #[test]
 fn a_line_on_an_edge_makes_no_second_one() {
     let mut editor = open("cube.obj");
-    let edges = editor.view().edges.len();
-    edit(&mut editor, &construction("lines", "edges", &[0, 1]));
-    edit(&mut editor, &construction("edges", "lines", &[0]));
-    edit(&mut editor, &construction("lines", "edges", &[2]));
-    let gone = edit(&mut editor, &construction("nothing", "lines", &[1]));
-    assert_eq!(gone.state.construction_mm.len(), 1);
-    assert_eq!(gone.gone_edges, [] as [u32; 0]);
-    editor.undo().unwrap().unwrap();
-    edit(&mut editor, &construction("edges", "lines", &[0, 1]));
-    assert_eq!(editor.view().edges.len(), edges);
+    let before = editor.view();
+    let first = &before.edges[0];
+    edit(&mut editor, &construction("lines", "edges", &[first.id]));
+    edit(&mut editor, &json!({"edit": "draw", "from": first.a, "to": first.b}));
+    let on_it = edit(&mut editor, &construction("edges", "lines", &[0]));
+    assert_eq!((on_it.edges.len(), on_it.state.construction_mm.len()), (0, 0));
+    assert_eq!(editor.view().edges.len(), before.edges.len());
+    edit(&mut editor, &construction("lines", "edges", &[before.edges[1].id]));
+    let gone = edit(&mut editor, &construction("nothing", "lines", &[0]));
+    assert_eq!((gone.gone_edges.len(), gone.state.construction_mm.len()), (0, 0));
 }
 
 #[test]
