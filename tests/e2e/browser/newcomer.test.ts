@@ -109,6 +109,8 @@ it("bends coupons, each of which opens in Run", async () => {
     await calibration().waitFor({ state: "detached" });
     const toRun = run().getByRole("group", { name: "File to run" });
     await toRun.getByText(name.replace("Run ", ""), { exact: true }).waitFor();
+    // It is in sight, and not beside the button that the dialog was opened with.
+    await until(() => toRun.evaluate((shown) => shown.getBoundingClientRect().top < innerHeight - 40)).toBe(true);
     if (index === 0) await connect();
     const chooses = run().getByLabel("Wire to bend");
     const wires = (await chooses.isVisible()) ? await chooses.locator("option").count() : 1;

@@ -1,6 +1,6 @@
 //! How the wires look.
 
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 
 use super::{Canvas, JobSheet, Pen};
 use crate::number::unit_word;
@@ -15,6 +15,8 @@ const HALF: f64 = 0.6;
 const INSET: f64 = 12.0;
 /// The size of labels in mm.
 const LETTERS: f64 = 2.5;
+/// What looks along an axis nearer than that, as the cosine of the angle, is called by its name.
+const ALONG: f64 = 0.9999;
 
 /// A wire on the page.
 struct Seen {
@@ -99,13 +101,14 @@ pub(super) fn draw(page: &mut Canvas, sheet: &JobSheet, frame: Bounds) -> Vec<St
         return Vec::new();
     }
     let unit = unit_word(sheet.unit);
-    let from = if flat.is_some() { "Seen straight from above its plane. " } else { "" };
     let read = format!(
-        "{from}In circles the numbers of the steps, with the angles as designed; lengths in {unit}, from corner to corner."
+        "In circles the numbers of the steps, with the angles as designed; lengths in {unit}, from corner to corner."
     );
     let [numbers, angles] = [&found.numbered, &found.with_angle].map(|some| bends.len() - some.len());
     let missing = left_out(numbers, angles, found.without_length);
-    std::iter::once(read)
+    let from = flat.map(|view| seen_from(&view.normal(), !bends.is_empty()));
+    from.into_iter()
+        .chain(std::iter::once(read))
         .chain(missing.map(|what| format!("No room for {what}: all are in the table of steps.")))
         .collect()
 }
@@ -125,4 +128,20 @@ fn words(page: &mut Canvas, wire: &Seen, number: Option<usize>) -> Vec<WordAt> {
         words.push(WordAt { word: format!("end{number}"), at: last, away: away(before, last) });
     }
     words
+}
+
+/// From where a flat wire is seen, with the name of the window's view of the design that looks the same way.
+fn seen_from(normal: &Vector3<f64>, bends: bool) -> String {
+    let sides = [
+        (Vector3::z(), "Top"),
+        (-Vector3::z(), "Bottom"),
+        (-Vector3::y(), "Front"),
+        (Vector3::y(), "Back"),
+        (Vector3::x(), "Right"),
+        (-Vector3::x(), "Left"),
+    ];
+    let side = sides.iter().find(|(side, _)| normal.dot(side) > ALONG);
+    let view = side.map(|(_, name)| format!(", as in the view {name}")).unwrap_or_default();
+    let left = if bends { ": its first bend turns left" } else { "" };
+    format!("Seen straight from above its plane{view}{left}.")
 }

@@ -67,13 +67,20 @@ fn bent(path: &[[f64; 3]], steps: &[[f64; 3]], unit: DisplayUnit) -> Vec<Page> {
 #[test]
 fn flat_wire_is_drawn_flat() {
     let steps = [[40.0, 0.0, 90.0], [20.0, 0.0, 0.0]];
-    for path in [
-        [[0., 0., 0.], [40., 0., 0.], [40., 20., 0.]],
-        [[0., 0., 0.], [0., 0., 40.], [0., -20., 40.]],
-        [[0., 0., 0.], [24., 32., 0.], [24., 32., 20.]],
+    for (path, view) in [
+        ([[0., 0., 0.], [40., 0., 0.], [40., 20., 0.]], ", as in the view Top: its first bend turns left."),
+        (
+            [[0., 0., 0.], [0., 40., 0.], [20., 40., 0.]],
+            ", as in the view Bottom: its first bend turns left.",
+        ),
+        (
+            [[0., 0., 0.], [0., 0., 40.], [0., -20., 40.]],
+            ", as in the view Right: its first bend turns left.",
+        ),
+        ([[0., 0., 0.], [24., 32., 0.], [24., 32., 20.]], ": its first bend turns left."),
     ] {
         let pages = bent(&path, &steps, DisplayUnit::Millimetre);
-        assert!(pages[0].says("Seen straight from above its plane."), "{path:?}");
+        assert!(pages[0].says(&format!("Seen straight from above its plane{view}")), "{path:?}");
         let length = |[a, b]: &[[f64; 2]; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
         let joined = |pair: &&[[[f64; 2]; 2]]| {
             let ([a, b], [c, d]) = (pair[0], pair[1]);
