@@ -10,9 +10,8 @@ import { Overlay } from "./layers/overlay";
 import { Pointer } from "./tools/pointer";
 import { Frames } from "./view/frames";
 import { turned, type ViewName } from "./view/orbit";
+import { ScreenRatio } from "./view/screen_ratio";
 import { Turning } from "./view/turning";
-
-const MAX_RATIO = 2;
 
 export class BodiesView {
   readonly canvas = document.createElement("canvas");
@@ -25,6 +24,7 @@ export class BodiesView {
   private readonly tool: BodiesTool;
   private readonly resized: ResizeObserver;
   private readonly stop = new AbortController();
+  private readonly ratio: ScreenRatio;
   private framed = false;
 
   constructor(
@@ -34,6 +34,7 @@ export class BodiesView {
   ) {
     const { canvas } = this;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "high-performance" });
+    this.ratio = new ScreenRatio(this.renderer, this.stop.signal, () => this.resize());
     this.renderer.autoClear = false;
     this.renderer.info.autoReset = false;
     this.frames = new Frames(
@@ -144,7 +145,7 @@ export class BodiesView {
     const { clientWidth, clientHeight } = this.host;
     const { camera } = this.stage;
     [camera.width, camera.height] = [clientWidth, clientHeight];
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, MAX_RATIO));
+    this.ratio.follow();
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.stage.viewMoved();
     this.frameFirst();

@@ -215,6 +215,7 @@ export class Stage {
 
   /** Shows construction lines; `pointed`: the place of one that is pointed at. */
   setConstruction(lines: readonly Line[], pointed: number | null): void {
+    if (pointed === this.pointedLine && JSON.stringify(lines) === JSON.stringify(this.construction)) return;
     this.construction = lines;
     this.pointedLine = pointed;
     this.layConstruction();

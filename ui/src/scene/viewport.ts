@@ -33,6 +33,7 @@ import { SelectTool } from "./tools/select_tool";
 import { TraceTool } from "./tools/trace_tool";
 import { Frames } from "./view/frames";
 import type { ViewName } from "./view/orbit";
+import { ScreenRatio } from "./view/screen_ratio";
 import { type Seen, Turning } from "./view/turning";
 
 export interface ViewportOptions {
@@ -42,9 +43,6 @@ export interface ViewportOptions {
   /** What the view is called for a screen reader. */
   readonly label?: string;
 }
-
-/** More pixels than these cannot be distinguished, and cost time. */
-const MAX_RATIO = 2;
 
 export class Viewport {
   readonly canvas = document.createElement("canvas");
@@ -59,7 +57,7 @@ export class Viewport {
   private readonly resized: ResizeObserver;
   private readonly stop = new AbortController();
   private framed = false;
-  private ratio = 0;
+  private readonly ratio: ScreenRatio;
   private beforePlay: Seen | null = null;
 
   constructor(
@@ -73,6 +71,7 @@ export class Viewport {
       antialias: options.antialias ?? true,
       powerPreference: "high-performance",
     });
+    this.ratio = new ScreenRatio(this.renderer, this.stop.signal, () => this.resize());
     this.renderer.autoClear = false;
     this.renderer.info.autoReset = false;
     this.frames = new Frames(
@@ -346,22 +345,10 @@ export class Viewport {
     const { clientWidth, clientHeight } = this.host;
     const { camera } = this.stage;
     [camera.width, camera.height] = [clientWidth, clientHeight];
-    this.followRatio();
+    this.ratio.follow();
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.stage.viewMoved();
     this.frameFirst();
-  }
-
-  /** The window may go to another screen without changing its size. */
-  private followRatio(): void {
-    const ratio = window.devicePixelRatio;
-    if (ratio === this.ratio) return;
-    this.ratio = ratio;
-    this.renderer.setPixelRatio(Math.min(ratio, MAX_RATIO));
-    matchMedia(`(resolution: ${ratio}dppx)`).addEventListener("change", () => this.resize(), {
-      once: true,
-      signal: this.stop.signal,
-    });
   }
 
   /** The first thing there is to see, once there is room to see it. */

@@ -6,7 +6,7 @@ import { isOwn, reportOf, SHAPES, setValue, takeBack, useProfile } from "../../.
 import { bodyOf } from "../../../state/program/played";
 import { BodiesPicture } from "../../viewport/BodiesPicture";
 import { BodyForm } from "./BodyForm";
-import { newBody, parentOf, phraseOf, removedOf, stateOf } from "./bodies";
+import { newBody, PLACED, parentOf, phraseOf, removedOf, stateOf } from "./bodies";
 
 /** A change of one body that is not written yet: typed, or dragged. */
 interface Draft {
@@ -55,7 +55,7 @@ export function Bodies({ why }: { readonly why: string | null }) {
   const change = (at: number, part: Partial<Shape>) =>
     set(withDraft(shapes, { at, part: { source: source.text, measured: source.measured, ...part } }));
   const add = (solid: "box" | "cylinder") => {
-    set([...shapes, newBody(solid, shapes, wire, source)]);
+    set([...shapes, newBody(solid, shapes, wire)]);
     setChosen(shapes.length);
   };
   const shown = chosen === null ? null : (withDraft(shapes, dragged)[chosen] ?? null);
@@ -137,7 +137,7 @@ export function Bodies({ why }: { readonly why: string | null }) {
         editable={!why}
         onChoose={setChosen}
         onDrag={(at, at_mm) => setDragged({ at, part: { at_mm: [...at_mm] } })}
-        onDrop={(at, at_mm) => change(at, { at_mm: [...at_mm] })}
+        onDrop={(at, at_mm) => change(at, { ...PLACED, at_mm: [...at_mm] })}
         onCancel={() => setDragged(null)}
       />
     </div>

@@ -4,7 +4,6 @@ import type { Shape } from "../../../generated/responses";
 import { areClose, newBody, removedOf, stateOf } from "./bodies";
 
 const MACHINES = ["wirebend-kit", "grbl-bender", "howtomechatronics", "table-bender"];
-const SOURCE = { text: "caliper", measured: true };
 
 function shapesOf(id: string): Shape[] {
   const file = new URL(`../../../../../machine-profiles/machines/${id}.json`, import.meta.url);
@@ -16,7 +15,7 @@ describe("newBody", () => {
   it.each(MACHINES)("puts a body on %s where it meets neither the wire nor another body", (id) => {
     let shapes = shapesOf(id);
     for (const solid of ["box", "cylinder", "box", "box"] as const) {
-      const made = newBody(solid, shapes, 3, SOURCE);
+      const made = newBody(solid, shapes, 3);
       expect(shapes.filter((shape) => areClose(shape, made))).toEqual([]);
       const top = made.at_mm[2] + 10;
       expect(top).toBeLessThan(-1.5);

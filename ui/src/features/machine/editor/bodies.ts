@@ -68,13 +68,11 @@ export function areClose(a: Shape, b: Shape): boolean {
   return a.at_mm.every((at, k) => Math.abs(at - (b.at_mm[k] ?? 0)) < (half[k] ?? 0) + (other[k] ?? 0) + AIR - 1e-9);
 }
 
+/** Where what is put or moved in the view comes from: nobody has measured that. */
+export const PLACED = { source: "placed in the view", measured: false } as const;
+
 /** A box or a cylinder below the wire at the pin, so far down that it meets nothing. */
-export function newBody(
-  solid: "box" | "cylinder",
-  shapes: readonly Shape[],
-  wire_mm: number,
-  { text, measured }: { readonly text: string; readonly measured: boolean },
-): Shape {
+export function newBody(solid: "box" | "cylinder", shapes: readonly Shape[], wire_mm: number): Shape {
   const names = new Set(shapes.map(({ name }) => name));
   let number = 1;
   while (names.has(`${solid} ${number}`)) number += 1;
@@ -84,8 +82,7 @@ export function newBody(
     solid: solid === "box" ? { box: { size_mm: [SIZE, SIZE, SIZE] } } : { cylinder: { radius_mm: 5, length_mm: SIZE } },
     at_mm: [0, 0, -Math.ceil(SIZE / 2 + wire_mm / 2 + AIR)],
     axis: [0, 0, 1],
-    source: text,
-    measured,
+    ...PLACED,
   };
   const place = (down: number): Shape => ({ ...made, at_mm: [0, 0, made.at_mm[2] - down] });
   // Below everything there is room.
