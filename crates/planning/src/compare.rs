@@ -105,8 +105,10 @@ pub struct OtherSide {
     pub newly_infeasible: Findings,
     /// Errors of the first machine that this one has not.
     pub newly_feasible: Findings,
-    /// The same with the machine's own wire, where that of the design does not fit it; null where it fits, where the machine
-    /// has no other wire, and in the comparison with its own wire.
+    /// Whether the wire fits the machine.
+    pub fits: bool,
+    /// The same with the machine's own wire, where that of the design does not fit it, and where its own is based on that of the design, as
+    /// a calibrated one is; null where the machine has no other wire, and in the comparison with its own wire.
     pub own_wire: Option<Box<OtherSide>>,
 }
 
@@ -172,7 +174,7 @@ pub fn compare(
     let from = app.plan_design(opened.copy(), &request.choices, progress)?;
     let mut notes = from.opened.notes.clone();
     let (from, before) = (MachineSide::new(&from), from.report());
-    let mut beside = |choices: &PlanChoices| -> Result<(OtherSide, bool), PlanningError> {
+    let mut beside = |choices: &PlanChoices| -> Result<OtherSide, PlanningError> {
         let other = app.plan_design(opened.copy(), choices, progress)?;
         let (side, after) = (MachineSide::new(&other), other.report());
         notes.extend(other.opened.notes.into_iter().filter(|note| !notes.contains(note)).collect::<Vec<_>>());
@@ -181,21 +183,22 @@ pub fn compare(
             change: Change::between(&from, &side),
             newly_infeasible: Findings::only_in(&after, &before),
             newly_feasible: Findings::only_in(&before, &after),
+            fits,
             own_wire: None,
             side,
         };
-        Ok((other, fits))
+        Ok(other)
     };
     let mut to = Vec::with_capacity(others.len());
     for (id, machine) in request.against.iter().zip(others) {
         let choices = PlanChoices { machine: Some(id.clone()), ..request.choices.clone() };
-        let (mut other, fits) = beside(&choices)?;
+        let mut other = beside(&choices)?;
         let own = machine.profile.default_material.map(|own| own.value);
         let own = own.filter(|own| {
-            *own != other.side.material && (!fits || is_version(app, own, &other.side.material))
+            *own != other.side.material && (!other.fits || is_version(app, own, &other.side.material))
         });
         if own.is_some() {
-            other.own_wire = Some(Box::new(beside(&PlanChoices { material: own, ..choices })?.0));
+            other.own_wire = Some(Box::new(beside(&PlanChoices { material: own, ..choices })?));
         }
         to.push(other);
     }

@@ -3679,6 +3679,10 @@ export interface OtherSide {
    * How many edges are travelled, each time counted.
    */
   feeds: number | null;
+  /**
+   * Whether the wire fits the machine.
+   */
+  fits: boolean;
   machine: string;
   /**
    * Mass of the wire that is fed, in g.
@@ -3692,8 +3696,8 @@ export interface OtherSide {
   newly_feasible: Findings;
   newly_infeasible: Findings;
   /**
-   * The same with the machine's own wire, where that of the design does not fit it; null where it fits, where the machine
-   * has no other wire, and in the comparison with its own wire.
+   * The same with the machine's own wire, where that of the design does not fit it, and where its own is based on that of the design, as
+   * a calibrated one is; null where the machine has no other wire, and in the comparison with its own wire.
    */
   own_wire: OtherSide | null;
   /**

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use wirebend_core::wireframe::{Vertex, VertexId};
 use wirebend_editor::{DesignState, PastedVertex};
 use wirebend_error::ProblemReport;
-use wirebend_files::document::{DocumentError, JointFile};
+use wirebend_files::document::{Document, DocumentError, JointFile};
 
 use super::{RecentEntry, Workspace, empty};
 use crate::{
@@ -249,15 +249,24 @@ impl Workspace {
             support: vertex.support,
             joint: vertex.joint.map(JointFile::from),
         };
-        let place = |id| ids.binary_search(&id).unwrap_or_default();
+        // A vertex that is not there is refused by the edit.
+        let place = |id| ids.binary_search(&id).unwrap_or(usize::MAX);
         let paste = EditRequest::Paste {
             vertices: wireframe.vertices().map(vertex).collect(),
             edges: wireframe.edges().map(|(_, edge)| [place(edge.a), place(edge.b)]).collect(),
         };
         let name = Path::new(&opened.name).file_name().map(|name| name.to_string_lossy().into_owned());
         let label = format!("add {}", name.unwrap_or(opened.name));
-        let change = self.open().edit(&app, &EditRequest::Several { label, edits: vec![paste] })?;
-        Ok(EditMade { change: Some(change), notes: opened.notes })
+        let mut open = self.open();
+        let [_, first] = open.state().next;
+        let ceiling = (first..).zip(wireframe.edges()).filter(|(_, (_, edge))| edge.ceiling);
+        let edges: Vec<u32> = ceiling.map(|(id, _)| id).collect();
+        let ceiling = (!edges.is_empty()).then_some(EditRequest::Ceiling { edges, ceiling: true });
+        let edits = std::iter::once(paste).chain(ceiling).collect();
+        let change = open.edit(&app, &EditRequest::Several { label, edits })?;
+        let mut notes = opened.notes;
+        notes.extend(left_out(&opened.document));
+        Ok(EditMade { change: Some(change), notes })
     }
 
     pub(crate) fn edit(&self, asked: &EditDesign, _: &dyn Progress) -> Result<EditMade, ApiError> {
@@ -364,4 +373,24 @@ impl Workspace {
         self.put_run_file(None);
         Ok(DesignOpened { design, notes, recent: self.recent() })
     }
+}
+
+/// What a document has beside its wireframe, which is not added with that.
+fn left_out(document: &Document) -> Option<NoteReport> {
+    let more = [
+        ("doubled edges", !document.doublings.is_empty()),
+        ("start and order of the wires", document.start.is_some() || !document.walks.is_empty()),
+        ("remarks", !document.pins.is_empty() || !document.notes.is_empty()),
+        ("pause points", !document.pauses.is_empty()),
+        ("names and colours of parts", !document.parts.is_empty()),
+        ("construction lines", !document.construction.is_empty()),
+        ("stencils", !document.stencils.is_empty()),
+    ];
+    let more: Vec<&str> = more.into_iter().filter(|(_, has)| *has).map(|(what, _)| what).collect();
+    (!more.is_empty()).then(|| NoteReport {
+        code: "left-out".into(),
+        count: more.len(),
+        message: format!("only the wireframe is added; left out: {}", more.join(", ")),
+        remedies: Vec::new(),
+    })
 }

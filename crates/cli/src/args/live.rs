@@ -87,10 +87,10 @@ pub(crate) struct RunArgs {
 #[derive(Debug, Args)]
 pub(crate) struct SimulatedArgs {
     /// Give the simulated machine the bend head of this machine, not of the one that the job was planned for: to try a calibration
-    #[arg(long, value_name = "ID")]
+    #[arg(long, value_name = "ID", conflicts_with_all = ["resume", "abandon"])]
     pub simulated_machine: Option<String>,
     /// Give the simulated machine this wire, not the one that the job was planned for
-    #[arg(long, value_name = "ID")]
+    #[arg(long, value_name = "ID", conflicts_with_all = ["resume", "abandon"])]
     pub simulated_material: Option<String>,
 }
 

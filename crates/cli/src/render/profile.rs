@@ -147,7 +147,7 @@ fn bend_torque(out: &mut impl Write, torque: &BendTorqueReport) -> std::io::Resu
     let BendTorqueReport { available_n_m, margin, wires } = torque;
     writeln!(
         out,
-        "\nbend torque: {available_n_m} N·m, beside what bends each wire (a warning below {margin} times)"
+        "\nbend torque: {available_n_m} N·m; how many times what each wire needs (a warning below {margin})"
     )?;
     for wire in wires {
         writeln!(out, "  {:>7.1} times  {:>6.3} N·m  {}", wire.times, wire.needed_n_m, wire.material)?;

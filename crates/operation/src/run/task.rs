@@ -165,7 +165,8 @@ impl<'a> Task<'a> {
         let head = machine.as_ref().map(|id| format!("the bend head of '{id}'"));
         let wire = material.as_ref().map(|id| format!("the wire '{id}'"));
         let of = [head, wire].into_iter().flatten().collect::<Vec<_>>();
-        if !of.is_empty() {
+        // A wire that is resumed is on the machine on which it was begun.
+        if !of.is_empty() && self.request.how == RunHow::Begin {
             let (of, planned) = (of.join(" and "), (self.setup.machine_id(), self.setup.material_id()));
             let message = format!(
                 "the simulated machine has {of}; the job was planned for '{}' with '{}'",

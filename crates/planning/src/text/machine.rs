@@ -26,7 +26,7 @@ pub(super) fn bend_torque_low(available_n_m: f64, needed_n_m: f64) -> String {
 pub(super) fn bend_radius_small(bend: &BendRadius) -> String {
     let BendRadius { inner, least_diameters, .. } = bend;
     format!(
-        "the inside of every bend has a radius of {inner:.2}, and this wire was seen to take {:.2} or more ({} times its diameter): the outside of bends may crack. The elongation at fracture of a tensile test says nothing of bends and refuses none",
+        "the inside of every bend has a radius of {inner:.2}, and this wire was seen to take {:.2} or more ({} times its diameter): the outside of bends may crack",
         bend.least(),
         least_diameters.value
     )

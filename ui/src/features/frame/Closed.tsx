@@ -7,11 +7,11 @@ import { displacement, force, stress } from "./words";
 /** What the wires take, as Bend-Forming compares machines. */
 function Takes({ resources }: { readonly resources: ResourcesReport }) {
   const { long } = useLengths();
-  const { length_mm, bends, wire_g, joints_g, energy_kj, time_min } = resources;
+  const { length_mm, bends, mass_g, joints_g, energy_kj, time_min } = resources;
   const rows: readonly (readonly [string, string, string])[] = [
     ["Length", long(length_mm), ""],
     ["Bends", number(bends, 0), ""],
-    ["Mass", `${number(wire_g + joints_g, 1)} g`, joints_g > 0 ? `${number(joints_g, 1)} g of joints` : ""],
+    ["Mass", `${number(mass_g, 1)} g`, joints_g > 0 ? `${number(joints_g, 1)} g of joints` : ""],
     ...(energy_kj == null || time_min == null
       ? []
       : ([

@@ -6,6 +6,7 @@ import { Field } from "../../shared/controls/Field";
 import { Select } from "../../shared/controls/inputs";
 import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
+import { useMachines } from "../../state/machine/machines";
 import { connect, isOpen, loadPorts, useRun } from "../../state/machine/run";
 import { useRunMachine } from "../../state/program/run_file";
 import { guess, portPhrase } from "./phrases";
@@ -37,6 +38,7 @@ export function Connect() {
         : port === null
           ? "Choose a port."
           : null;
+  const hasPeg = useMachines(({ machines }) => machines?.find(({ id }) => id === machine)?.has_peg ?? false);
   const simulated = known.find(({ name }) => name === port)?.simulated ?? false;
   // Of a session that has failed what went wrong, and what became of its wire, is shown elsewhere in the section.
   const again = isOpen(state);
@@ -83,7 +85,7 @@ export function Connect() {
           </span>
         )}
       </Field>
-      {simulated && machine && <Simulated machine={machine} as={as} onChoose={setAs} />}
+      {simulated && machine && hasPeg && <Simulated machine={machine} as={as} onChoose={setAs} />}
       {portProblem && (
         <ul>
           <Line
@@ -94,7 +96,7 @@ export function Connect() {
         </ul>
       )}
       <div className="row end">
-        <Button kind="primary" why={why} onClick={() => void connect(port, simulated ? as : {})}>
+        <Button kind="primary" why={why} onClick={() => void connect(port, simulated && hasPeg ? as : {})}>
           {again ? "Connect again" : "Connect"}
         </Button>
       </div>

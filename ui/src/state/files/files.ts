@@ -183,7 +183,7 @@ export type Use = "stencil" | "edges" | "both";
 
 /** Whether there is something that a stencil would come to: a wire, or another stencil. */
 export const isBegun = ({ vertices, state }: Pick<DesignStore, "vertices" | "state">): boolean =>
-  vertices.size > 0 || (state?.stencils.length ?? 0) > 0;
+  vertices.size > 0 || (state?.stencils.length ?? 0) > 0 || (state?.construction_mm.length ?? 0) > 0;
 
 /** Adds the wireframe of what was looked into to the design that is open; false where it came to nothing, and the question stays. */
 export async function addWireframe(design: DesignInput): Promise<boolean> {

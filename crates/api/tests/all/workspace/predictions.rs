@@ -60,7 +60,9 @@ fn a_prediction_is_stopped_in_its_middle() {
     };
     std::thread::scope(|scope| {
         let predicted = scope.spawn(|| window.ask("predict", asked("bend-forming", 1_000_000)));
+        let begun = std::time::Instant::now();
         while !is_under_way() {
+            assert!(begun.elapsed().as_secs() < 60, "no progress is reported");
             assert!(!predicted.is_finished(), "a million wires in no time");
             std::thread::sleep(std::time::Duration::from_millis(5));
         }

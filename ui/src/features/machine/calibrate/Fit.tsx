@@ -164,21 +164,26 @@ function BeforeAfter({ kind }: { readonly kind: KindReport }) {
   const unit = useUnit();
   const most = Math.max(kind.before.mean_abs, kind.after.mean_abs, 1e-9);
   return (
-    <dl className="before-after">
-      {(
-        [
-          ["Off before", kind.before.mean_abs, "before"],
-          ["Off after", kind.after.mean_abs, "after"],
-        ] as const
-      ).map(([label, value, className]) => (
-        <div key={label}>
-          <dt>{label}</dt>
-          <dd>
-            <span className={`before-after-bar ${className}`} style={{ width: `${(value / most) * 100}%` }} />
-          </dd>
-          <dd className="figure">{off(value, kind.unit, unit)}</dd>
-        </div>
-      ))}
-    </dl>
+    <>
+      <dl className="before-after">
+        {(
+          [
+            ["Off before", kind.before.mean_abs, "before"],
+            ["Off after", kind.after.mean_abs, "after"],
+          ] as const
+        ).map(([label, value, className]) => (
+          <div key={label}>
+            <dt>{label}</dt>
+            <dd>
+              <span className={`before-after-bar ${className}`} style={{ width: `${(value / most) * 100}%` }} />
+            </dd>
+            <dd className="figure">{off(value, kind.unit, unit)}</dd>
+          </div>
+        ))}
+      </dl>
+      <p className="muted small" title="Leave-one-out, root mean square">
+        For what it has not seen: {off(kind.leave_one_out.rms, kind.unit, unit)} off
+      </p>
+    </>
   );
 }

@@ -21,7 +21,7 @@ export function Comparison() {
   if (!compared) return null;
   const { machine, from, to, problem } = compared;
   const own = to?.own_wire ?? null;
-  const misfit = to?.newly_infeasible.diagnostics.some(({ code }) => code === "wire_does_not_fit") ?? false;
+  const misfit = to !== null && !to.fits;
   const name = machines?.find(({ id }) => id === machine)?.name ?? machine;
   const wireOf = (side: OtherSide) => materials?.find(({ id }) => id === side.material)?.name ?? side.material;
   // What is recommended is what is shown.
@@ -50,7 +50,7 @@ export function Comparison() {
                   <Line
                     tone="info"
                     what={`It has a wire of its own: ${wireOf(own)}`}
-                    sub={`That is ${wireOf(to)} as it was measured for this machine.`}
+                    sub={`It is based on ${wireOf(to)}.`}
                   />
                 )}
               </ul>

@@ -36,6 +36,7 @@ const findings = (...codes: WireDiagnostic["code"][]): Findings => ({
 const other = (given: Partial<OtherSide>): OtherSide => ({
   ...side,
   machine: "pensa",
+  fits: true,
   own_wire: null,
   change: { bends: 0, cost: 0, mass_g: 0, stock_mm: 0, time_s: 0 },
   newly_feasible: findings(),

@@ -1,8 +1,8 @@
 import { useEffect, useState } from "react";
-import type { ProfileExplainResponse } from "../../../generated/responses";
+import type { BendTorqueReport, ProfileExplainResponse } from "../../../generated/responses";
 import { platform } from "../../../platform";
 import { TextInput } from "../../../shared/controls/inputs";
-import { count } from "../../../shared/figures/format";
+import { count, number } from "../../../shared/figures/format";
 import { Dialog } from "../../../shared/layers/Dialog";
 import { Scrolls } from "../../../shared/lists/Scrolls";
 
@@ -52,6 +52,7 @@ export function ExplainDialog({
                   .map((parent) => parent.id)
                   .join(", then ")}.`}
           </p>
+          {profile.bend_torque && <Torque torque={profile.bend_torque} />}
           <TextInput
             data-first
             aria-label="Filter"
@@ -79,6 +80,17 @@ export function ExplainDialog({
         </>
       )}
     </Dialog>
+  );
+}
+
+/** What the machine can bend: its torque beside what the wires need that fit it. */
+function Torque({ torque: { available_n_m, margin, wires } }: { readonly torque: BendTorqueReport }) {
+  const of = wires.map(({ material, times }) => `${material} ${number(times, 1)} times`).join(", ");
+  return (
+    <p className="muted small">
+      The bend axis has {number(available_n_m, 1)} N m. Of what a wire needs that is: {of || "no wire fits the machine"}
+      . Below {number(margin, 1)} times it may stall.
+    </p>
   );
 }
 
