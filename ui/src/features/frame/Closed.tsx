@@ -4,23 +4,12 @@ import { useLengths, useUnit } from "../../shared/figures/unit";
 import { Part } from "../panel/Section";
 import { displacement, force, stress } from "./words";
 
-/** What the wires take, as Bend-Forming compares machines. */
-function Takes({ resources }: { readonly resources: ResourcesReport }) {
-  const { long } = useLengths();
-  const { length_mm, bends, mass_g, joints_g, energy_kj, time_min } = resources;
-  const rows: readonly (readonly [string, string, string])[] = [
-    ["Length", long(length_mm), ""],
-    ["Bends", number(bends, 0), ""],
-    ["Mass", `${number(mass_g, 1)} g`, joints_g > 0 ? `${number(joints_g, 1)} g of joints` : ""],
-    ...(energy_kj == null || time_min == null
-      ? []
-      : ([
-          ["Energy", `${number(energy_kj, 2)} kJ`, ""],
-          ["Time at 25 W", `${number(time_min, 1)} min`, "not of your machine"],
-        ] as const)),
-  ];
+/** What it is, its figure, and what is to be known beside it. */
+type FigureRow = readonly [string, string, string];
+
+function Figures({ label, rows }: { readonly label: string; readonly rows: readonly FigureRow[] }) {
   return (
-    <table className="figures" aria-label="What it takes">
+    <table className="figures" aria-label={label}>
       <tbody>
         {rows.map(([what, value, more]) => (
           <tr key={what}>
@@ -34,6 +23,24 @@ function Takes({ resources }: { readonly resources: ResourcesReport }) {
   );
 }
 
+/** What the wires take, as Bend-Forming compares machines. */
+function Takes({ resources }: { readonly resources: ResourcesReport }) {
+  const { long } = useLengths();
+  const { length_mm, bends, mass_g, joints_g, energy_kj, time_min } = resources;
+  const rows: readonly FigureRow[] = [
+    ["Length", long(length_mm), ""],
+    ["Bends", number(bends, 0), ""],
+    ["Mass", `${number(mass_g, 1)} g`, joints_g > 0 ? `${number(joints_g, 1)} g of joints` : ""],
+    ...(energy_kj == null || time_min == null
+      ? []
+      : ([
+          ["Energy", `${number(energy_kj, 2)} kJ`, ""],
+          ["Time at 25 W", `${number(time_min, 1)} min`, "not of your machine"],
+        ] as const)),
+  ];
+  return <Figures label="What it takes" rows={rows} />;
+}
+
 /** Figures of the closed frame, over all wires that were drawn; as made and as closed of the first of them. */
 export function Closed({ shown }: { readonly shown: FrameShown }) {
   const unit = useUnit();
@@ -41,7 +48,7 @@ export function Closed({ shown }: { readonly shown: FrameShown }) {
   const first = shown.shapes.closed;
   if (!closing) return null;
   const sd = of_runs?.sd;
-  const rows: readonly (readonly [string, string, string])[] = [
+  const rows: readonly FigureRow[] = [
     [
       "Off the drawing, RMS",
       displacement(closing.surface_rms_mm, unit),
@@ -62,17 +69,7 @@ export function Closed({ shown }: { readonly shown: FrameShown }) {
   ];
   return (
     <Part title="Once closed" aside={<span className="muted small">{runs} wires</span>}>
-      <table className="figures" aria-label="Closed frame">
-        <tbody>
-          {rows.map(([what, value, spread]) => (
-            <tr key={what}>
-              <td>{what}</td>
-              <td>{value}</td>
-              <td className="muted">{spread}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
+      <Figures label="Closed frame" rows={rows} />
       {resources && <Takes resources={resources} />}
       {first && (
         <table className="figures" aria-label="The first wire">
