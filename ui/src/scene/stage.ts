@@ -24,6 +24,7 @@ import type {
 } from "./interface";
 import { Backdrop } from "./layers/backdrop";
 import { Chosen } from "./layers/chosen";
+import { Construction } from "./layers/construction";
 import { DesignLayer, EDGE_STYLE, NO_MARKS } from "./layers/design_layer";
 import { dimensionLabels, NO_DIMENSIONS } from "./layers/dimensions";
 import { type Change, DrawnDesign } from "./layers/drawn_design";
@@ -51,8 +52,7 @@ export class Stage {
   tool: Tool = "select";
   snap: SnapSettings = DEFAULT_SNAP;
   /** Lines to snap to that are no wire. */
-  construction: readonly Line[] = [];
-  private pointedLine: number | null = null;
+  readonly construction = new Construction();
   /** Null for the ground. */
   plane: DrawingPlane | null = null;
   spacing: Spacing = { mm: 10, fine: 1 };
@@ -215,20 +215,11 @@ export class Stage {
 
   /** Shows construction lines; `pointed`: the place of one that is pointed at. */
   setConstruction(lines: readonly Line[], pointed: number | null): void {
-    if (pointed === this.pointedLine && JSON.stringify(lines) === JSON.stringify(this.construction)) return;
-    this.construction = lines;
-    this.pointedLine = pointed;
-    this.layConstruction();
-    this.bound();
+    if (this.construction.show(lines, pointed)) this.bound();
   }
 
   private layConstruction(): void {
-    const { theme } = this;
-    const lines = this.construction.map(([from, to], index): Guide => {
-      const colour = index === this.pointedLine ? theme.selected : theme.stencil;
-      return { from, to, look: { colour } };
-    });
-    this.mark("construction", [], this.designed.visible ? lines : []);
+    this.mark("construction", [], this.designed.visible ? this.construction.lines(this.theme) : []);
   }
 
   setStencils(stencils: readonly SceneStencil[]): void {
@@ -312,7 +303,7 @@ export class Stage {
 
   /** Whether there is something to look at. */
   get empty(): boolean {
-    return this.design.vertices.length === 0 && this.stencils.empty && this.construction.length === 0;
+    return this.design.vertices.length === 0 && this.stencils.empty && this.construction.all.length === 0;
   }
 
   /** After what is played has begun or ended. */
@@ -401,7 +392,7 @@ export class Stage {
   }
 
   private everything(): Vec3[] {
-    return [...this.design.at, ...this.stencils.places, ...this.construction.flat()];
+    return [...this.design.at, ...this.stencils.places, ...this.construction.all.flat()];
   }
 
   private layGrid(height: number): void {

@@ -236,7 +236,7 @@ export class SelectTool implements ToolHandler {
     const without = { vertices: new Set(moving), edges: new Set<number>() };
     // A stencil that is moved would snap to itself.
     const stencil = stage.stencils.empty || this.stencil !== null ? null : stage.stencils;
-    const { construction } = stage;
+    const construction = stage.construction.all;
     const show = (kind: SnapKind, at: Vec3): void =>
       void signs.push({ at, shape: SNAP_SHAPES[kind], colour: stage.theme.acted, radius: 8 });
     return {

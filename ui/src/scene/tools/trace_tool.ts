@@ -192,7 +192,7 @@ export class TraceTool implements ToolHandler {
       design: stage.design,
       projection: stage.projection,
       stencil: drawing || stage.stencils.empty ? null : stage.stencils,
-      construction: stage.construction,
+      construction: stage.construction.all,
       plane: stage.plane,
       without,
     };
