@@ -1,10 +1,11 @@
 /** What is in the picture, put together: the tools and the viewport change it, and it draws itself. */
 
 import { Group, Scene, type WebGLRenderer } from "three";
+import { paintPicture } from "./drawing/painting";
 import { paint, shared } from "./drawing/shading";
 import { type Sign, Symbols } from "./drawing/symbols";
 import { THEMES, type Theme } from "./drawing/theme";
-import { type Guide, Tubes } from "./drawing/tubes";
+import { GUIDE_STYLE, type Guide, Tubes } from "./drawing/tubes";
 import type {
   ChosenStencil,
   DrawingPlane,
@@ -66,14 +67,7 @@ export class Stage {
   private readonly layer = new DesignLayer(this.uniforms, this.theme);
   readonly selected = new SelectionLayer(this.uniforms);
   private readonly preview = new Tubes(this.uniforms, { ...EDGE_STYLE, radius: 0.9, most: 2.4, dash: 11, flat: true });
-  private readonly guides = new Tubes(this.uniforms, {
-    radius: 100,
-    least: 0.9,
-    most: 0.9,
-    dash: 9,
-    flat: true,
-    above: true,
-  });
+  private readonly guides = new Tubes(this.uniforms, { ...GUIDE_STYLE, dash: 9 });
   private readonly symbols = new Symbols(this.uniforms);
   private readonly gizmo = new Gizmo(this.uniforms);
   readonly playback = new Playback(this.uniforms, this.theme);
@@ -333,15 +327,9 @@ export class Stage {
     this.layGrid(height);
     const signs = this.playing ? [] : this.ownSigns(theme);
     this.symbols.show([...signs, ...[...this.signs.values()].flat()]);
-    const lines = [...this.lines.values()].flat();
-    this.guides.count = lines.length;
-    lines.forEach(({ from, to, look }, row) => this.guides.set(row, from, to, look));
+    this.guides.show([...this.lines.values()].flat());
     this.gizmo.show(this.gizmoAt, this.handle);
-    renderer.info.reset();
-    renderer.clear();
-    renderer.render(this.world, camera.three);
-    renderer.clearDepth();
-    renderer.render(this.above, camera.three);
+    paintPicture(renderer, this.world, this.above, camera.three);
     if (width > 0) this.labels.place(projection, !this.playing);
   }
 

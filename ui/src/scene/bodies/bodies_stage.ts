@@ -1,10 +1,11 @@
 /** What is in the picture while the bodies of a machine are edited: the machine at its reference, the wire through it, the gizmo. */
 
 import { Scene, type WebGLRenderer } from "three";
+import { paintPicture } from "../drawing/painting";
 import { paint, shared } from "../drawing/shading";
 import { Symbols } from "../drawing/symbols";
 import { THEMES, type Theme } from "../drawing/theme";
-import { type Guide, Tubes } from "../drawing/tubes";
+import { GUIDE_STYLE, type Guide, Tubes } from "../drawing/tubes";
 import type { EditedMachine, LengthFormat, MachineBody, Tool, Vec3 } from "../interface";
 import { Backdrop } from "../layers/backdrop";
 import { Gizmo } from "../layers/gizmo";
@@ -51,7 +52,7 @@ export class BodiesStage {
   private readonly grid = new Grid(this.uniforms);
   private readonly solids = new Machine(this.uniforms, ({ selected }) => selected, 0.5);
   private readonly wire = new Tubes(this.uniforms, { radius: 0.5, least: 1.1, most: 1000, sides: 10, round: true });
-  private readonly guides = new Tubes(this.uniforms, { radius: 100, least: 0.9, most: 0.9, flat: true, above: true });
+  private readonly guides = new Tubes(this.uniforms, GUIDE_STYLE);
   private readonly gizmo = new Gizmo(this.uniforms);
   private readonly symbols = new Symbols(this.uniforms);
 
@@ -152,15 +153,9 @@ export class BodiesStage {
     this.symbols.show([{ at: ORIGIN, shape: "target", colour: theme.edge, radius: 7 }]);
     const outline = this.chosenBody ? edgesOf(this.chosenBody) : [];
     const look = { colour: theme.selected };
-    const lines = [...outline.map(([from, to]): Guide => ({ from, to, look })), ...this.line];
-    this.guides.count = lines.length;
-    lines.forEach((line, row) => this.guides.set(row, line.from, line.to, line.look));
+    this.guides.show([...outline.map(([from, to]): Guide => ({ from, to, look })), ...this.line]);
     this.gizmo.show(this.gizmoAt, this.handle);
-    renderer.info.reset();
-    renderer.clear();
-    renderer.render(this.world, camera.three);
-    renderer.clearDepth();
-    renderer.render(this.above, camera.three);
+    paintPicture(renderer, this.world, this.above, camera.three);
   }
 
   dispose(): void {

@@ -98,6 +98,9 @@ export interface Guide {
   readonly look: TubeLook;
 }
 
+/** Lines over everything, of one width however far away they are. */
+export const GUIDE_STYLE: TubeStyle = { radius: 100, least: 0.9, most: 0.9, flat: true, above: true };
+
 export class Tubes {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   private readonly instances: Instances;
@@ -144,6 +147,12 @@ export class Tubes {
 
   set(row: number, from: Vec3, to: Vec3, look: TubeLook): void {
     this.instances.write(row, ...from, ...to, ...look.colour, look.width ?? 1, look.offset ?? 0, look.dim ?? 0);
+  }
+
+  /** These lines and no others. */
+  show(lines: readonly Guide[]): void {
+    this.count = lines.length;
+    lines.forEach(({ from, to, look }, row) => this.set(row, from, to, look));
   }
 
   place(row: number, from: Vec3, to: Vec3): void {
