@@ -662,6 +662,7 @@ export type DiagnosticCode =
   | "lead_too_short"
   | "corner_too_near"
   | "corner_within_reach"
+  | "head_not_measured"
   | "bend_in_scatter"
   | "corner_not_made"
   | "fold_back"
@@ -839,6 +840,9 @@ export type RemedyReport =
     }
   | {
       remedy: "allow_wires";
+    }
+  | {
+      remedy: "calibrate";
     }
   | {
       remedy: "measure_body";

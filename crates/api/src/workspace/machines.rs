@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use wirebend_planning::bodies::{peg_top_mm, pivot_mm};
 use wirebend_planning::profiles::set::replace;
-use wirebend_profile::{BendFigures, Kind, Shape};
+use wirebend_profile::{Kind, Shape};
 
 use super::Workspace;
 use crate::{ApiError, CompareRequest, CompareResponse, PlanChoices, ProblemReport, Progress};
@@ -153,11 +153,7 @@ impl Workspace {
             diameter_mm: [figures.min_diameter_mm, figures.max_diameter_mm],
             max_stock_mm: limits.max_stock_mm,
             rates: [figures.feed_rate_mm_per_s, figures.rotate_rate_deg_per_s, figures.bend_rate_deg_per_s],
-            head_measured: matches!(figures.bend, BendFigures::Peg { .. }).then(|| {
-                let bend = &profile.bend;
-                let head = [&bend.orbit_radius_mm, &bend.orbit_offset_mm, &bend.rod_radius_mm];
-                head.into_iter().flatten().any(|figure| figure.measured || figure.within_95.is_some())
-            }),
+            head_measured: profile.head_measured(),
             peg_top_mm: peg_top_mm(profile.shapes.as_deref().unwrap_or_default()),
             shapes: profile.shapes.clone().unwrap_or_default(),
             pivot_mm: [pivot_mm(&figures), 0.0, 0.0],

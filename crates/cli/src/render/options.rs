@@ -58,6 +58,7 @@ fn option(remedy: &RemedyReport) -> Option<&'static str> {
         | RemedyReport::EaseBends
         | RemedyReport::TurnBendPlane
         | RemedyReport::MoveApart
+        | RemedyReport::Calibrate
         | RemedyReport::MeasureBody
         | RemedyReport::BraceFrame
         | RemedyReport::BuildLater

@@ -13,6 +13,7 @@ mod frames;
 mod generated;
 mod machine;
 mod outputs;
+mod own_profiles;
 mod profiles;
 mod programs;
 mod results;

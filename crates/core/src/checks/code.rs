@@ -59,6 +59,8 @@ codes! {
     CornerTooNear = "corner_too_near",
     /// The peg meets wire that was bent before, and the bend is compensated for it.
     CornerWithinReach = "corner_within_reach",
+    /// Where the peg meets bent wire depends on a bend head that was not measured.
+    HeadNotMeasured = "head_not_measured",
     /// A bend is smaller than the scatter of the machine's bends.
     BendInScatter = "bend_in_scatter",
     /// A corner is smaller than the bend axis resolves, so that the wire goes straight on.

@@ -110,6 +110,8 @@ pub enum Remedy {
     SearchLonger,
     /// Allow more wires.
     AllowWires,
+    /// Calibrate the machine with its wire.
+    Calibrate,
     /// Measure the body of the machine and enter its dimensions.
     MeasureBody,
     /// Hold the frame at vertices.

@@ -309,6 +309,7 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
         | Code::BendTorqueLow
         | Code::BendRadiusSmall
         | Code::CornerWithinReach
+        | Code::HeadNotMeasured
         | Code::FrameUnsupported
         | Code::FrameMechanism
         | Code::StrutOverstressed

@@ -105,6 +105,8 @@ pub enum RemedyReport {
     SearchLonger,
     /// Allow more wires.
     AllowWires,
+    /// Calibrate the machine with its wire.
+    Calibrate,
     /// Measure the body of the machine and enter its dimensions.
     MeasureBody,
     /// Hold the frame at vertices.
@@ -177,6 +179,7 @@ impl From<&Remedy> for RemedyReport {
             Remedy::AvoidCollisions => Self::AvoidCollisions,
             Remedy::SearchLonger => Self::SearchLonger,
             Remedy::AllowWires => Self::AllowWires,
+            Remedy::Calibrate => Self::Calibrate,
             Remedy::MeasureBody => Self::MeasureBody,
             Remedy::SupportVertices => Self::SupportVertices,
             Remedy::BraceFrame => Self::BraceFrame,

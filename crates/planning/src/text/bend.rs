@@ -66,18 +66,28 @@ pub(super) fn corner_too_near(at: &Location, bend: Angle) -> String {
 
 pub(super) fn corner_within_reach(at: &Location, near: &NearCorner) -> String {
     let goes = match near.further {
-        Some(further) if further < Angle::ZERO => format!("the axis goes {:.1} less far", further.abs()),
-        Some(further) => format!("the axis goes {further:.1} further"),
-        None => "the axis goes elsewhere".to_owned(),
+        Some(further) if further.abs().deg() < 0.05 => {
+            "and the axis goes as far as for a straight leg".to_owned()
+        }
+        Some(further) if further < Angle::ZERO => {
+            format!("so the axis goes {:.1} less far than for a straight leg", further.abs())
+        }
+        Some(further) => format!("so the axis goes {further:.1} further than for a straight leg"),
+        None => "so the axis goes elsewhere than for a straight leg".to_owned(),
     };
     let gives = if near.past_other {
         ". It touches beyond a corner of another plane or to the other side, which may bend as well"
     } else {
         ""
     };
+    format!("{}: the peg touches wire that was bent before, {goes}{gives}", name(at, BendOf::Step))
+}
+
+pub(super) fn head_not_measured(bends: usize) -> String {
+    let bends = if bends == 1 { "1 bend".to_owned() } else { format!("{bends} bends") };
     format!(
-        "{}: the peg touches wire that was bent before, so {goes} than for a straight leg{gives}",
-        name(at, BendOf::Step)
+        "where the peg touches wire that was bent before depends on the bend head, and nobody measured that of this \
+         machine: {bends} may come out some degrees off"
     )
 }
 

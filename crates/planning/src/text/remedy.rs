@@ -60,6 +60,7 @@ pub(super) fn clause(remedy: &Remedy) -> String {
         Remedy::AvoidCollisions => "search for a program without collisions",
         Remedy::SearchLonger => "search longer",
         Remedy::AllowWires => "allow more wires",
+        Remedy::Calibrate => "calibrate the machine before the first wire",
         Remedy::MeasureBody => "measure it and enter its dimensions in the machine's profile",
         Remedy::SupportVertices => "hold it at vertices that stand on something",
         Remedy::BraceFrame => "brace it with more struts",

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::figures::{Complete, v};
 use crate::machine::{BendMethod, Compensation, MachineProfile};
+use crate::sourced::Sourced;
 
 /// Figures of a complete machine. Units as in the names; signs canonical.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -137,6 +138,16 @@ impl Complete for MachineProfile {
 }
 
 impl MachineProfile {
+    /// Whether the place of the peg was measured or calibrated on this machine; nothing of one without a peg.
+    #[must_use]
+    pub fn head_measured(&self) -> Option<bool> {
+        let bend = &self.bend;
+        let head = [&bend.orbit_radius_mm, &bend.orbit_offset_mm, &bend.rod_radius_mm];
+        let measured = |figure: &Sourced<f64>| figure.measured || figure.within_95.is_some();
+        matches!(bend.method.as_ref()?.value, BendMethod::Peg)
+            .then(|| head.into_iter().flatten().any(measured))
+    }
+
     fn limit_figures(&self) -> Option<LimitFigures> {
         let limits = &self.limits;
         Some(LimitFigures {

@@ -71,6 +71,7 @@ const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
     one: (r) => `The peg touches bent wire${at(r)}`,
     many: (n) => `The peg touches bent wire at ${n} bends`,
   },
+  head_not_measured: null,
   bend_too_small: { one: (r) => `Bend${at(r)} too small`, many: (n) => `${n} bends too small` },
   fold_back: { one: (r) => `The wire folds back${at(r)}`, many: (n) => `The wire folds back at ${n} places` },
   bend_in_scatter: {
