@@ -26,6 +26,10 @@ pub struct Sourced<T> {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.0))]
     pub within_95: Option<f64>,
+    /// The same before that calibration, from which the next one starts; absent where nobody said.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0.0))]
+    pub within_95_before: Option<f64>,
 }
 
 /// A value that is no figure, such as a sign or a choice. In a file it is an object like that of a [`Sourced`]; the plain value,
@@ -54,7 +58,14 @@ impl<T: Serialize> Serialize for Noted<T> {
             None => self.value.serialize(to),
             Some(source) => {
                 let source = source.clone();
-                Sourced { value: &self.value, source, measured: self.measured, within_95: None }.serialize(to)
+                Sourced {
+                    value: &self.value,
+                    source,
+                    measured: self.measured,
+                    within_95: None,
+                    within_95_before: None,
+                }
+                .serialize(to)
             }
         }
     }
@@ -64,7 +75,7 @@ impl<'de, T: DeserializeOwned> Deserialize<'de> for Noted<T> {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         let value = Value::deserialize(from)?;
         if value.is_object() {
-            let Sourced { value, source, measured, within_95: _ } =
+            let Sourced { value, source, measured, within_95: _, within_95_before: _ } =
                 serde_json::from_value::<Sourced<T>>(value).map_err(D::Error::custom)?;
             return Ok(Self { value, source: Some(source), measured });
         }

@@ -39,6 +39,9 @@ pub struct Estimate {
     pub value: Figure,
     /// With 95 % it is within this of the value.
     pub within_95: Figure,
+    /// The same as it was known before. A calibration that comes after this one begins with that again: what is found of several
+    /// parameters is off together, so that none of them is known by itself as well as all of them are.
+    pub within_95_before: Figure,
     /// How much of what is known of it these readings tell, from 0 (all of it was known before) to 1. Below one half they do not determine it.
     pub determined: f64,
 }

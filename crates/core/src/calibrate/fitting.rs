@@ -2,7 +2,7 @@
 
 use super::estimate::{Estimate, Fit, Misfit, Parameter, Residual};
 use super::figure::Figure;
-use super::least_squares::{Belief, NoSolution, Predict, Problem, Solution};
+use super::least_squares::{BELIEVED, Belief, NoSolution, Predict, Problem, Solution};
 use super::measured::{Kind, LeftOut, LeftOutReason};
 use super::screen::Screened;
 use super::wild::find_wild;
@@ -67,6 +67,7 @@ impl Search<'_> {
             before: parameter.figure(belief.value),
             value: parameter.figure(solution.parameters[k]),
             within_95: parameter.figure(solution.parameter_within_95(k, belief.sd)),
+            within_95_before: parameter.figure(BELIEVED * belief.sd),
             determined: solution.determined(k),
         };
         let off = |from: &[f64]| -> Vec<f64> {

@@ -104,6 +104,7 @@ impl Values<'_> {
         };
         let mut figure = sourced(&json!(round(value, 1e4)), &how, estimate.is_identified());
         figure["within_95"] = json!(within);
+        figure["within_95_before"] = json!(round(estimate.within_95_before.plain(), digits));
         figure
     }
 

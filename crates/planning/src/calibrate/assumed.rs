@@ -21,17 +21,16 @@ const K_MEASURED: f64 = 0.03;
 const PROTRACTOR_DEG: f64 = 0.5;
 const READ_MM: f64 = 0.1;
 
-/// The standard deviation of what is this near in 95 of 100 cases.
-fn deviation_of(within_95: f64) -> f64 {
-    within_95 / 1.96
+/// What a calibration starts from of a figure that one before has found: the standard deviation that it had for that one.
+fn before_calibration(stated: Option<&Sourced<f64>>) -> Option<f64> {
+    Some(stated?.within_95_before? / 1.96)
 }
 
 fn known(value_mm: f64, stated: Option<&Sourced<f64>>) -> Result<KnownLength, PlanningError> {
-    let off = match stated {
-        Some(Sourced { within_95: Some(within), .. }) => deviation_of(*within),
-        Some(Sourced { measured: true, .. }) => (MEASURED * value_mm.abs()).max(CALIPER_MM),
-        _ => UNMEASURED * value_mm.abs(),
-    };
+    let by_hand = stated.is_some_and(|stated| stated.measured && stated.within_95.is_none());
+    let off = before_calibration(stated).unwrap_or_else(|| {
+        if by_hand { (MEASURED * value_mm.abs()).max(CALIPER_MM) } else { UNMEASURED * value_mm.abs() }
+    });
     Ok(KnownLength { value: mm(value_mm)?, deviation: mm(off)? })
 }
 
@@ -68,11 +67,10 @@ impl Setup {
             diameter: Length::from_mm(wire.diameter_mm).unwrap_or_default(),
             k_factor: wire.k_factor,
             motion: self.model.compensation.motion,
-            k_deviation: match k {
-                Some(Sourced { within_95: Some(within), .. }) => deviation_of(*within),
-                Some(Sourced { measured: true, .. }) => K_MEASURED,
+            k_deviation: before_calibration(k).unwrap_or(match k {
+                Some(Sourced { measured: true, within_95: None, .. }) => K_MEASURED,
                 _ => K_UNMEASURED,
-            },
+            }),
             angle_reading: deg(PROTRACTOR_DEG)?,
             length_reading: mm(READ_MM)?,
         })
@@ -83,20 +81,22 @@ impl Setup {
 mod tests {
     use super::*;
 
-    /// A calibration that knew an orbit to 3.9 mm has not measured it to a hundredth: the next one begins with what it knew.
+    /// What was found of one dimension is off together with the others: the next calibration starts where the first did.
     #[test]
-    fn a_calibrated_figure_is_known_as_well_as_the_calibration_knew_it() {
-        let stated = |measured, within_95| Sourced {
+    fn a_calibrated_figure_is_known_as_well_as_before_its_calibration() {
+        let stated = |measured, within_95, within_95_before| Sourced {
             value: 20.0,
             source: "a calibration".to_owned(),
             measured,
             within_95,
+            within_95_before,
         };
         let deviation = |stated: &Sourced<f64>| known(20.0, Some(stated)).unwrap().deviation.mm();
         for measured in [true, false] {
-            assert!((deviation(&stated(measured, Some(3.92))) - 2.0).abs() < 1e-9);
+            assert!((deviation(&stated(measured, Some(1.0), Some(3.92))) - 2.0).abs() < 1e-9);
+            assert!((deviation(&stated(measured, Some(1.0), None)) - 3.0).abs() < 1e-9);
         }
-        assert!((deviation(&stated(true, None)) - 0.2).abs() < 1e-9);
-        assert!((deviation(&stated(false, None)) - 3.0).abs() < 1e-9);
+        assert!((deviation(&stated(true, None, None)) - 0.2).abs() < 1e-9);
+        assert!((deviation(&stated(false, None, None)) - 3.0).abs() < 1e-9);
     }
 }

@@ -157,7 +157,13 @@ impl Merge<'_> {
 
     fn set_rate(&mut self, rate: &AxisRate, source: String) {
         let (figure, key) = self.figure_of(rate.axis);
-        *figure = Some(Sourced { value: rate.per_s, source, measured: false, within_95: None });
+        *figure = Some(Sourced {
+            value: rate.per_s,
+            source,
+            measured: false,
+            within_95: None,
+            within_95_before: None,
+        });
         self.said(key);
     }
 
@@ -191,6 +197,12 @@ fn keep(figure: &mut Figure, most: f64, source: &str, key: &'static str) -> Opti
     if figure.as_ref().is_some_and(|stated| stated.value.abs() <= most.abs()) {
         return None;
     }
-    *figure = Some(Sourced { value: most, source: source.to_owned(), measured: false, within_95: None });
+    *figure = Some(Sourced {
+        value: most,
+        source: source.to_owned(),
+        measured: false,
+        within_95: None,
+        within_95_before: None,
+    });
     Some(key)
 }

@@ -103,8 +103,32 @@ impl Shop {
 /// How often what is stated of a parameter contained the truth, and how often it was stated.
 type Tally = Vec<(String, [u32; 2])>;
 
-/// Calibrates machines one after the other from what `measure` reads of each; half of them bend wires of a curved springback.
-fn tally(measure: impl Fn(&Shop, &mut Normals) -> Option<Measurements> + Sync) -> Tally {
+/// What the next calibration begins with: what one has found, each figure known as well as before it.
+fn known_by(found: &Calibration) -> Assumed {
+    let mut known = published();
+    let feeds = found.feeds.iter().map(|feeds| &feeds.fit);
+    let fits = feeds.chain(found.bends.iter().map(|bends| &bends.fit));
+    for estimate in fits.flat_map(|fit| &fit.estimates) {
+        let (value, deviation) = (estimate.value.plain(), estimate.within_95_before.plain() / 1.96);
+        let length = || KnownLength { value: mm(value), deviation: mm(deviation) };
+        let peg = known.peg.as_mut().unwrap();
+        match estimate.parameter {
+            Parameter::OrbitRadius => peg.orbit_radius = length(),
+            Parameter::OrbitOffset => peg.orbit_offset = length(),
+            Parameter::PegRadius => peg.peg_radius = length(),
+            // Of sides, and then of bends, from which sides have it.
+            Parameter::BendRadius => known.bend_radius = length(),
+            Parameter::KFactor => (known.k_factor, known.k_deviation) = (value, deviation),
+            _ => {}
+        }
+    }
+    known.springback = found.bends.as_ref().map(|bends| bends.springback.clone());
+    known
+}
+
+/// Calibrates machines one after the other from what `measure` reads of each, as many times as is asked for, each time from what was
+/// known by then, and counts the last time. Half of the machines bend wires of a curved springback.
+fn tally(times: usize, measure: impl Fn(&Shop, &mut Normals) -> Option<Measurements> + Sync) -> Tally {
     let round = |round: u32| {
         let mut random = Normals::new(u64::from(round));
         let (shop, measured) = loop {
@@ -113,7 +137,11 @@ fn tally(measure: impl Fn(&Shop, &mut Normals) -> Option<Measurements> + Sync) -
                 break (shop, measured);
             }
         };
-        let found = calibrate(&published(), &measured, ShapeChoice::Better).unwrap();
+        let mut found = calibrate(&published(), &measured, ShapeChoice::Better).unwrap();
+        for _ in 1..times {
+            let measured = measure(&shop, &mut random).expect("as before");
+            found = calibrate(&known_by(&found), &measured, ShapeChoice::Better).unwrap();
+        }
         let mut stated = Vec::new();
         for (kind, fit) in [
             ("bends", found.bends.as_ref().map(|bends| &bends.fit)),
@@ -155,7 +183,7 @@ fn share([held, stated]: [u32; 2]) -> f64 {
 /// Whole sheets of machines that are off by as much as was assumed: of each stated interval 92 to 98 % contain the truth.
 #[test]
 fn stated_intervals_contain_the_truth_as_often_as_they_say() {
-    let tally = tally(|shop, random| {
+    let tally = tally(1, |shop, random| {
         let truth = shop.bends();
         let angles = ladder(&truth, &ANGLES, 3, 0.5, random);
         let bends_enough = angles.iter().all(|sample| truth.result(sample.axis).abs() > deg(2.0));
@@ -170,10 +198,26 @@ fn stated_intervals_contain_the_truth_as_often_as_they_say() {
     }
 }
 
+/// With each figure taken as well known as the first calibration stated it, the radius of the orbit was within its interval in 83 %:
+/// four figures told four times what they have in common.
+#[test]
+fn a_second_calibration_states_what_it_knows_as_well() {
+    let tally = tally(2, |shop, random| {
+        let truth = shop.bends();
+        let angles = ladder(&truth, &[20.0, 60.0, 90.0, 120.0], 2, 0.5, random);
+        let bends_enough = angles.iter().all(|sample| truth.result(sample.axis).abs() > deg(2.0));
+        let lengths = shop.sides(2, random);
+        bends_enough.then_some(Measurements { angles, lengths, turns: Vec::new() })
+    });
+    for (name, counts) in tally {
+        assert!((0.92..=0.98).contains(&share(counts)), "{name}: {counts:?}");
+    }
+}
+
 /// Nobody has measured how far the machine bends: a corner that is elsewhere makes sides longer, as another K would.
 #[test]
 fn sides_alone_do_not_tell_more_of_k_than_they_can() {
-    let tally = tally(|shop, random| {
+    let tally = tally(1, |shop, random| {
         Some(Measurements { lengths: shop.sides(2, random), ..Measurements::default() })
     });
     for (name, counts) in tally {
@@ -184,8 +228,9 @@ fn sides_alone_do_not_tell_more_of_k_than_they_can() {
 /// Three readings of two parameters hardly tell how far readings scatter: then the interval is on the safe side.
 #[test]
 fn the_fewest_readings_state_no_interval_that_is_too_narrow() {
-    let tally =
-        tally(|shop, random| Some(Measurements { turns: shop.turns(1, random), ..Measurements::default() }));
+    let tally = tally(1, |shop, random| {
+        Some(Measurements { turns: shop.turns(1, random), ..Measurements::default() })
+    });
     for (name, counts) in tally {
         assert!(share(counts) >= 0.92, "{name}: {counts:?}");
     }
