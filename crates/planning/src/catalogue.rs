@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_profile::{BendFigures, Kind, Listing, Springback};
+use wirebend_profile::{BendFigures, Kind, Listing, MachineProfile, Profile as _, Resolved, Springback};
 
 use crate::{Installation, PlanningError, Progress};
 
@@ -37,6 +37,20 @@ pub struct MachineEntry {
     pub min_edge_mm: f64,
     /// Thinnest and thickest wire, in mm.
     pub diameter_mm: [f64; 2],
+    /// The calibration that made this version of a machine, and of the wire that it names; absent of what none has made.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub calibrated: Option<CalibratedVersion>,
+}
+
+/// A calibration that made a version of a machine and its wire.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct CalibratedVersion {
+    /// The day of the measurement.
+    pub date: String,
+    /// How many readings it was from.
+    pub readings: u32,
+    /// The machine that it was made from.
+    pub of: String,
 }
 
 #[derive(Debug, Clone, Serialize, JsonSchema)]
@@ -100,6 +114,7 @@ pub fn machines(
             bend_deg: [figures.limits.min_bend_deg, figures.limits.max_bend_deg],
             min_edge_mm: figures.limits.min_edge_mm,
             diameter_mm: [figures.min_diameter_mm, figures.max_diameter_mm],
+            calibrated: calibrated(&machine),
             id: listing.id,
             name: listing.name,
             shipped: listing.shipped,
@@ -108,6 +123,17 @@ pub fn machines(
     };
     let concrete = app.library.machines().into_iter().filter(|listing| !listing.is_abstract);
     Ok(MachinesResponse { machines: concrete.map(entry).collect::<Result<_, PlanningError>>()? })
+}
+
+/// Of the profile itself: one that inherits from a calibrated machine is another machine.
+fn calibrated(machine: &Resolved<MachineProfile>) -> Option<CalibratedVersion> {
+    let profile = &machine.profile;
+    machine.origin("calibrated.date").filter(|origin| origin.id == profile.id())?;
+    Some(CalibratedVersion {
+        date: profile.calibrated.date.clone()?,
+        readings: profile.calibrated.readings.unwrap_or_default(),
+        of: profile.inherits().unwrap_or_default().to_owned(),
+    })
 }
 
 pub fn materials(

@@ -43,6 +43,18 @@ profile! {
         pub shapes: Option<Vec<Shape>>,
         /// Id of the noise profile that simulations of this machine use.
         pub error: Option<Noted<String>>,
+        /// The calibration that figures of this version of the machine and of its wire come from.
+        pub calibrated: Calibrated,
+    }
+}
+
+layer! {
+    /// A calibration, as it was applied.
+    pub struct Calibrated {
+        /// The day of the measurement, such as `2026-11-25`.
+        pub date: String,
+        /// How many readings it was from, those that were left out aside.
+        pub readings: u32,
     }
 }
 

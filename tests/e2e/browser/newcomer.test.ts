@@ -152,3 +152,18 @@ it("fits and applies it, and bends a better U-sample", async () => {
   expect(before / after).toBeGreaterThan(5);
   await editor.isClean("newcomer-better");
 });
+
+it("lists the calibrated version when it is looked at again, and goes back from it", async () => {
+  await button("Disconnect").click();
+  await machine().getByRole("button", { name: "Calibrate…" }).click();
+  await calibration().getByText("Versions", { exact: true }).click();
+  await calibration()
+    .getByText(/^Calibrated \d{4}-\d\d-\d\d from \d+ readings, made from my-bender\. The design has it\.$/)
+    .waitFor();
+  await calibration().getByRole("button", { name: "Compare my-bender", exact: true }).click();
+  await calibration().getByRole("columnheader", { name: "my-bender", exact: true }).waitFor();
+  await editor.isClean("newcomer-versions");
+  await calibration().getByRole("button", { name: "Use my-bender", exact: true }).click();
+  await calibration().getByText("Not calibrated. The design has it.").waitFor();
+  await until(() => editor.phrase("machine")).toBe("My bender");
+});

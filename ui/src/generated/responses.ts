@@ -4799,6 +4799,10 @@ export interface MachineEntry {
    */
   bend_deg: [number, number];
   /**
+   * The calibration that made this version of a machine, and of the wire that it names; absent of what none has made.
+   */
+  calibrated?: CalibratedVersion | null;
+  /**
    * The material that is in it unless another is named.
    */
   default_material: string;
@@ -4843,6 +4847,23 @@ export interface MachineEntry {
    * Whether it comes with the program.
    */
   shipped: boolean;
+}
+/**
+ * A calibration that made a version of a machine and its wire.
+ */
+export interface CalibratedVersion {
+  /**
+   * The day of the measurement.
+   */
+  date: string;
+  /**
+   * The machine that it was made from.
+   */
+  of: string;
+  /**
+   * How many readings it was from.
+   */
+  readings: number;
 }
 /**
  * How the machine bends the open design.

@@ -67,6 +67,7 @@ pub fn apply(
     for (key, value) in found.of_material() {
         material.set(key, value)?;
     }
+    machine.set("calibrated", json!({ "date": found.date, "readings": found.readings() }))?;
     // The wire first: the machine names it.
     material.check(app)?;
     let with_material = app.with_profile(&material)?;
@@ -106,6 +107,15 @@ impl Values<'_> {
         figure["within_95"] = json!(within);
         figure["within_95_before"] = json!(round(estimate.within_95_before.plain(), digits));
         figure
+    }
+
+    /// How many readings all of it is from.
+    fn readings(&self) -> usize {
+        let found = &self.fitted.found;
+        let bends = found.bends.as_ref().map(|bends| &bends.fit);
+        let feeds = found.feeds.as_ref().map(|feeds| &feeds.fit);
+        let turns = found.turns.as_ref().map(|turns| &turns.fit);
+        [bends, feeds, turns].into_iter().flatten().map(|fit| fit.readings).sum()
     }
 
     fn of_machine(&self) -> Vec<(&'static str, Value)> {

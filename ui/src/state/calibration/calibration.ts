@@ -13,13 +13,13 @@ import { profilesChanged } from "../machine/machines";
 import { store, stored } from "../window/ui";
 
 /** The steps, in the order of the work. */
-export type CalibrationStep = "coupons" | "measure" | "fit" | "apply";
+export type CalibrationStep = "coupons" | "measure" | "fit" | "apply" | "versions";
 
 /** What the springback may depend on; `better`: what predicts best. */
 export type SpringbackShape = "better" | "constant" | "curve";
 
 /** What was applied, and the way back. */
-export interface Applied {
+interface Applied {
   readonly result: CalibrateApplyResponse;
   /** The machine and the wire of the design before. */
   readonly before: { readonly machine: string; readonly material: string };
@@ -39,6 +39,8 @@ interface CalibrationStore {
   /** Why it tells nothing. */
   readonly gap: string | null;
   readonly applied: Applied | null;
+  /** The machine of the design beside another version. */
+  readonly versions: CalibrateCompareResponse | null;
   /** Whether what was applied was taken back. */
   readonly reverted: boolean;
   /** Why the last thing came to nothing. */
@@ -55,6 +57,7 @@ const EMPTY: CalibrationStore = {
   report: null,
   gap: null,
   applied: null,
+  versions: null,
   reverted: false,
   problem: null,
   busy: false,
@@ -144,10 +147,13 @@ export function makeCoupons(request: {
 
 /** Opens a sheet that is there. */
 export function openSheet(sheet: string, step: CalibrationStep): Promise<boolean> {
+  const from = useCalibration.getState().step;
   return working(async () => {
     await read(sheet);
     store(KEY, sheet);
-    useCalibration.setState({ made: null, step, applied: null, reverted: false });
+    // Whoever has gone elsewhere meanwhile stays there.
+    const { step: now } = useCalibration.getState();
+    useCalibration.setState({ made: null, step: now === from ? step : now, applied: null, reverted: false });
   });
 }
 
@@ -220,6 +226,24 @@ export function applyCalibration(machine_id: string, material_id: string, force:
     const machines: [string, string] = [sheet.machine, result.machine];
     const compared = await platform.ask("calibrate-compare", { machines, sheet: sheet.sheet });
     useCalibration.setState({ applied: { result, before, replaced: force, compared } });
+  });
+}
+
+/** Holds a version against the machine of the design, by the readings of the open sheet too. */
+export function compareVersions(id: string): Promise<boolean> {
+  return working(async () => {
+    const { sheet } = useCalibration.getState();
+    const machine = useDesign.getState().state?.machine;
+    if (!machine) return;
+    const request = { machines: [machine, id] as [string, string], ...(sheet ? { sheet: sheet.sheet } : {}) };
+    useCalibration.setState({ versions: await platform.ask("calibrate-compare", request) });
+  });
+}
+
+/** The design takes a version of a machine, and its wire. */
+export function takeVersion(machine: string, material: string): Promise<boolean> {
+  return working(async () => {
+    await edit({ edit: "machine", machine, material });
   });
 }
 

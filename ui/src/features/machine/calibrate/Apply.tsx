@@ -2,20 +2,11 @@ import { useState } from "react";
 import { Button } from "../../../shared/controls/Button";
 import { Field } from "../../../shared/controls/Field";
 import { Checkbox, TextInput } from "../../../shared/controls/inputs";
-import { short } from "../../../shared/figures/format";
-import { useUnit } from "../../../shared/figures/unit";
 import { Line } from "../../../shared/lists/Line";
-import { Scrolls } from "../../../shared/lists/Scrolls";
-import {
-  type Applied,
-  applyCalibration,
-  revertCalibration,
-  useCalibration,
-} from "../../../state/calibration/calibration";
+import { applyCalibration, revertCalibration, useCalibration } from "../../../state/calibration/calibration";
 import { useMachines } from "../../../state/machine/machines";
-import { labelOf } from "../editor/fields";
 import { isSlug } from "../profile/slug";
-import { KINDS, off } from "./words";
+import { Compared } from "./Compared";
 
 /** "my-wirebend-kit", and what is one's own stays as it is. */
 const ownId = (id: string): string => (id.startsWith("my-") ? `${id}-2` : `my-${id}`);
@@ -94,59 +85,11 @@ export function Apply() {
           </ul>
         )}
       </div>
-      {applied?.compared ? <Compared applied={applied} /> : <p className="muted">What changes is listed here.</p>}
+      {applied?.compared ? (
+        <Compared compared={applied.compared} />
+      ) : (
+        <p className="muted">What changes is listed here.</p>
+      )}
     </div>
-  );
-}
-
-const plain = (value: unknown): string => {
-  if (value === null || value === undefined) return "–";
-  if (typeof value === "number") return short(value);
-  return Array.isArray(value) ? `${value.length} pairs` : String(value);
-};
-
-function Compared({ applied: { compared } }: { readonly applied: Applied }) {
-  const unit = useUnit();
-  if (!compared) return null;
-  const [before, after] = compared.machines;
-  return (
-    <Scrolls className="calibrate-compared" label="What changes">
-      <table className="calibrate-parameters">
-        <thead>
-          <tr>
-            <th scope="col">Off on average</th>
-            <th scope="col">{before}</th>
-            <th scope="col">{after}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {compared.misfits.map(({ kind, unit: of, misfits }) => (
-            <tr key={kind}>
-              <th scope="row">{KINDS[kind]}</th>
-              <td>{off(misfits[0].mean_abs, of, unit)}</td>
-              <td>{off(misfits[1].mean_abs, of, unit)}</td>
-            </tr>
-          ))}
-        </tbody>
-        <thead>
-          <tr>
-            <th scope="col">Value</th>
-            <th scope="col" />
-            <th scope="col" />
-          </tr>
-        </thead>
-        <tbody>
-          {compared.values.map(({ kind, key, values }) => (
-            <tr key={`${kind} ${key}`}>
-              <th scope="row" title={key}>
-                {labelOf(key)}
-              </th>
-              <td>{plain(values[0])}</td>
-              <td>{plain(values[1])}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </Scrolls>
   );
 }

@@ -7,11 +7,13 @@ import {
   showStep,
   useCalibration,
 } from "../../../state/calibration/calibration";
+import { useMachines } from "../../../state/machine/machines";
 import { Apply } from "./Apply";
 import { Coupons } from "./Coupons";
 import { Fit } from "./Fit";
 import { Measure } from "./Measure";
-import { progressOf } from "./words";
+import { Versions } from "./Versions";
+import { progressOf, versionsOf } from "./words";
 import "./calibrate.css";
 
 const STEPS: readonly { readonly value: CalibrationStep; readonly label: string }[] = [
@@ -21,17 +23,22 @@ const STEPS: readonly { readonly value: CalibrationStep; readonly label: string 
   { value: "apply", label: "4  Apply" },
 ];
 
+/** What earlier calibrations made; no step of this one. */
+const VERSIONS = { value: "versions", label: "Versions" } as const;
+
 /** From coupons to profiles of one's own machine and wire, in four steps. */
 export function CalibrationDialog() {
   const { open, step, sheet, report, problem } = useCalibration();
+  const { machines } = useMachines();
   if (!open) return null;
   const whyNot = (of: CalibrationStep): string | null => {
+    if (of === "versions") return versionsOf(machines ?? []).length > 0 ? null : "Nothing is calibrated yet.";
     if (of === "coupons") return null;
     if (!sheet) return "Make coupons or open a sheet first.";
     return of !== "measure" && !report ? "Enter readings first." : null;
   };
   const at = STEPS.findIndex(({ value }) => value === step);
-  const next = STEPS[at + 1] ?? null;
+  const next = at < 0 ? null : (STEPS[at + 1] ?? null);
   const before = STEPS[at - 1] ?? null;
   return (
     <Dialog
@@ -64,7 +71,7 @@ export function CalibrationDialog() {
       <Segmented
         label="Step"
         value={step}
-        choices={STEPS.map((one) => ({ ...one, why: whyNot(one.value) }))}
+        choices={[...STEPS, VERSIONS].map((one) => ({ ...one, why: whyNot(one.value) }))}
         onChoose={showStep}
       />
       <div className="calibrate-step">
@@ -72,6 +79,7 @@ export function CalibrationDialog() {
         {step === "measure" && <Measure />}
         {step === "fit" && <Fit />}
         {step === "apply" && <Apply />}
+        {step === "versions" && <Versions />}
       </div>
     </Dialog>
   );

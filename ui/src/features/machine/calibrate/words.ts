@@ -1,6 +1,12 @@
 /** What a calibration says in the window. */
 
-import type { CalibrationReport, CalibrationRow, CalibrationSheet, KindReport } from "../../../generated/responses";
+import type {
+  CalibrationReport,
+  CalibrationRow,
+  CalibrationSheet,
+  KindReport,
+  MachineEntry,
+} from "../../../generated/responses";
 import { angle, count, type DisplayUnit, deviation, number, short } from "../../../shared/figures/format";
 import { parseAngle, parseNumber } from "../../../shared/figures/parse";
 
@@ -69,3 +75,14 @@ export function parseAngles(text: string): readonly number[] | null {
 
 export const wanted = (row: CalibrationRow): string =>
   row.unit === "deg" ? angle(row.wanted) : `${number(row.wanted)} mm`;
+
+/** What calibrations made, the newest first, and after them what they were made from. */
+export function versionsOf(machines: readonly MachineEntry[]): MachineEntry[] {
+  const made = machines.filter(({ calibrated }) => calibrated);
+  const from = new Set(made.map(({ calibrated }) => calibrated?.of));
+  const date = ({ calibrated }: MachineEntry) => calibrated?.date ?? "";
+  return [
+    ...made.sort((one, other) => date(other).localeCompare(date(one))),
+    ...machines.filter(({ id, calibrated }) => from.has(id) && !calibrated),
+  ];
+}

@@ -218,8 +218,17 @@ export const MATERIAL_GROUPS: readonly FieldGroup[] = [
   },
 ];
 
-/** What a value is called, with the group that it stands in; its key where the editor does not show it. */
+/** What no form has a field of its own for. */
+const OTHERS: Readonly<Record<string, string>> = {
+  "calibrated.date": "Calibrated on",
+  "calibrated.readings": "Calibrated from readings",
+  "springback.angle_deg": "Springback: degrees",
+};
+
+/** What a value is called, with the group that it stands in; its key where nobody gave it a name. */
 export function labelOf(key: string): string {
+  const other = OTHERS[key];
+  if (other) return other;
   for (const { title, fields } of [...MACHINE_GROUPS, ...MATERIAL_GROUPS]) {
     const field = fields.find((one) => one.key === key || (one.kind === "springback" && key.startsWith(`${one.key}.`)));
     if (field)
