@@ -1,4 +1,5 @@
 import { afterEach, expect, it } from "vitest";
+import { COMPOSITED } from "../support/browser.ts";
 import { Editor, until } from "../support/editor.ts";
 import { Sight } from "../support/sight.ts";
 import { type Figure, hand, ms, within } from "./figures.ts";
@@ -161,7 +162,7 @@ async function drags(
 
 it("measures a drag without the drawing", async () => {
   // What does not draw needs no card that puts pictures together either: done by the processor, that alone takes 80 ms a frame.
-  const { sight, press } = await begin(["--disable-gpu-compositing"]);
+  const { sight, press } = await begin([COMPOSITED, "--disable-gpu-compositing"]);
   const free = await rate(editor.page);
   await set(editor.page, { draws: false });
   // The first one is for the page's compiler.
@@ -180,7 +181,7 @@ it("measures a drag without the drawing", async () => {
 });
 
 it("measures a drag with it", async () => {
-  const { sight, press } = await begin([]);
+  const { sight, press } = await begin([COMPOSITED]);
   await drag(press);
   const { rows, notes } = await drags(1, true, sight, press);
   hand("2-drag-drawn", { title: "the same, drawn by the processor for want of a card", rows, notes });

@@ -8,11 +8,16 @@ const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.mi
 /** Where it is on Debian; Ubuntu has it as a snap alone, which sees no files of the tests. */
 const BROWSERS = ["/usr/bin/chromium", "/usr/bin/google-chrome"];
 
+/**
+ * The page is put together by what draws in three dimensions too, as on a graphics card: what `bench` measures. On the processor it costs
+ * tests a third more.
+ */
+export const COMPOSITED = "--use-angle=swiftshader";
+
 /** Chromium without a screen; what it draws in three dimensions is computed by the processor. */
 export function openBrowser(more: readonly string[] = []): Promise<Browser> {
   const args = [
     "--no-sandbox",
-    "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
     "--disable-background-networking",
     "--disable-component-update",
