@@ -1,7 +1,10 @@
 //! What can be written of the open design for its machine, and writing it.
 
 use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
 use wirebend_planning::PlanningError;
+use wirebend_planning::plan::Planned;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
@@ -20,6 +23,10 @@ use wirebend_planning::report::NoteReport;
 
 /// How much of a file is shown before it is written, in lines.
 const PREVIEW_LINES: usize = 40;
+
+/// Nobody waits longer for the search for collisions. What it has not reached by then, the question before a wire is bent names as not
+/// checked.
+const PATIENCE: Duration = Duration::from_secs(10);
 
 /// Asks what can be written for the machine of the open design.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -205,6 +212,9 @@ impl Workspace {
             output: asked.output.clone(),
             despite_errors: asked.despite_errors,
         };
+        if asked.output.is_some() || asked.contents {
+            self.require_clear(&asked.format, asked.despite_errors, progress)?;
+        }
         let written = wirebend_planning::export::export(&self.installation(), &request, progress)?;
         let begins = |bytes: &Vec<u8>| {
             let text = std::str::from_utf8(bytes).ok()?;
@@ -227,6 +237,7 @@ impl Workspace {
     }
 
     pub(crate) fn save_job(&self, asked: &SaveJob, progress: &dyn Progress) -> Result<SavedJob, ApiError> {
+        self.bendable(asked.despite_errors, progress)?;
         let request = PlanRequest {
             design: self.as_input()?,
             choices: PlanChoices::default(),
@@ -255,19 +266,51 @@ impl Workspace {
         Ok(SavedWireframe { file: asked.output.save(&text)? })
     }
 
+    /// The open design, planned, where its machine can bend it or a person wants it all the same. Whatever a machine is to run comes
+    /// through here, so that none of it says otherwise than *Check*: a collision is an error here as there.
+    fn bendable(&self, despite_errors: bool, progress: &dyn Progress) -> Result<Planned, ApiError> {
+        let (_, mut planned) = self.planned(progress)?;
+        if despite_errors {
+            return Ok(planned);
+        }
+        progress.stage("checking for collisions");
+        let until = Instant::now() + PATIENCE;
+        planned.find_collisions(&mut |_, _| Instant::now() < until);
+        if !planned.feasible() {
+            let (machine, report) = (planned.setup.machine_id().to_owned(), Box::new(planned.report()));
+            return Err(PlanningError::NotFeasible { machine, report }.into());
+        }
+        Ok(planned)
+    }
+
+    /// Refuses to write a program of what [`Workspace::bendable`] refuses; pictures and models are written of anything.
+    fn require_clear(
+        &self,
+        format: &str,
+        despite_errors: bool,
+        progress: &dyn Progress,
+    ) -> Result<(), ApiError> {
+        if despite_errors {
+            return Ok(());
+        }
+        let (app, opened) = (self.installation(), self.copy());
+        let setup = app.setup_of(&opened, &PlanChoices::default())?;
+        if wirebend_planning::export::is_program(&app, format, &setup)? {
+            self.bendable(despite_errors, progress)?;
+        }
+        Ok(())
+    }
+
     /// The job of the open design, or of what is open to be run, as a run takes it.
     pub(crate) fn job(&self, despite_errors: bool, progress: &dyn Progress) -> Result<Input, ApiError> {
         if let Some(file) = self.run_file() {
             return file.job(despite_errors);
         }
-        let (_, planned) = self.planned(progress)?;
-        let report = || Box::new(planned.report());
-        if !planned.feasible() && !despite_errors {
-            let machine = planned.setup.machine_id().to_owned();
-            return Err(PlanningError::NotFeasible { machine, report: report() }.into());
-        }
-        let unreached =
-            || PlanningError::StageNotReached { stage: crate::StageName::Compensated, report: report() };
+        let planned = self.bendable(despite_errors, progress)?;
+        let unreached = || PlanningError::StageNotReached {
+            stage: crate::StageName::Compensated,
+            report: Box::new(planned.report()),
+        };
         let job = planned.job()?.ok_or_else(unreached)?;
         let name = &planned.opened.name;
         let stem = name.strip_suffix(".wirebend").unwrap_or(name);

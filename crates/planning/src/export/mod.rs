@@ -21,6 +21,7 @@ use wirebend_files::write;
 
 use crate::choices::PlanChoices;
 use crate::design::DesignInput;
+use crate::machine::Setup;
 use crate::output::Output;
 use crate::picture::{self, Caption};
 use crate::report::{NoteReport, SHOWN_AS_ZERO};
@@ -67,6 +68,11 @@ pub struct ExportResponse {
     /// The contents, one for each file, where they were not written.
     #[serde(skip)]
     pub contents: Vec<Vec<u8>>,
+}
+
+/// Whether a machine runs what is written in a format: then it is not written for a design that cannot be made.
+pub fn is_program(app: &Installation, format: &str, setup: &Setup) -> Result<bool, PlanningError> {
+    Ok(Chosen::new(app, Some(format), setup)?.is_program())
 }
 
 pub fn export(

@@ -16,6 +16,9 @@ use crate::pauses;
 use crate::report::{DiagnosticReport, PlanReport, SeverityName};
 use crate::text;
 
+/// What an error is called on the sheet.
+const ERROR: &str = "error";
+
 /// A job sheet as PDF.
 pub(super) fn encode(content: &mut Content, print: &Print) -> Vec<u8> {
     let sheet = text::kept_in(print.unit, || sheet(content, print));
@@ -26,19 +29,24 @@ pub(super) fn encode(content: &mut Content, print: &Print) -> Vec<u8> {
 
 fn sheet(content: &Content, print: &Print) -> JobSheet {
     let setup = &content.setup;
+    let (found, collisions) = collisions(content, print.unit);
+    let mut findings = content.report.as_deref().map(findings).unwrap_or_default();
+    // Whoever holds the sheet is told the same as who checks, exports or arms: a collision that is an error is one here too.
+    let collides = found.iter().any(|finding| finding.severity == ERROR);
+    findings.extend(found);
     JobSheet {
         title: content.title.clone(),
         date: Some(print.date()),
         design_hash: content.design_hash.clone(),
         job_hash: content.job_hash.clone(),
-        feasible: content.feasible,
+        feasible: content.feasible && !collides,
         machine: format!("{} [{}]", setup.machine_name(), setup.machine_id()),
         material: format!("{} [{}]", setup.material_name(), setup.material_id()),
         figures: figures(setup, print.unit),
         wires: content.wires.iter().map(|wire| sheet_wire(setup, wire)).collect(),
         joints: joints::lines(&content.joints),
-        findings: content.report.as_deref().map(findings).unwrap_or_default(),
-        collisions: collisions(content, print.unit),
+        findings,
+        collisions,
         notes: content.notes.iter().map(|note| note.message.clone()).chain(pauses(content)).collect(),
         paper: print.paper,
         unit: print.unit,
@@ -47,26 +55,37 @@ fn sheet(content: &Content, print: &Print) -> JobSheet {
     }
 }
 
-/// What is known of the collisions of each wire.
-fn collisions(content: &Content, unit: DisplayUnit) -> Vec<String> {
+/// What is known of the collisions of each wire: those that are not among the findings of the plan already, and lines where none
+/// are known.
+fn collisions(content: &Content, unit: DisplayUnit) -> (Vec<Finding>, Vec<String>) {
     let several = content.wires.len() > 1;
     let report = content.report.as_deref();
     let looked = |index: usize| {
         report.and_then(|report| report.wires().get(index)).is_some_and(|wire| wire.collisions_checked)
     };
-    let of_wire = |(index, wire): (usize, &Wire)| {
-        let lines = match &wire.kept {
+    let (mut findings, mut lines) = (Vec::new(), Vec::new());
+    for (index, wire) in content.wires.iter().enumerate() {
+        let (named, of) = if several {
+            (format!("wire {}, ", index + 1), format!("wire {}: ", index + 1))
+        } else {
+            Default::default()
+        };
+        let said = match &wire.kept {
             Some(kept) => match JobCollisions::of(kept, &content.setup) {
-                // They are among the findings.
-                found if found.some() && looked(index) => Vec::new(),
+                JobCollisions::Checked { findings: found, .. } if !found.is_empty() => {
+                    if !looked(index) {
+                        let found = found.iter().map(DiagnosticReport::from);
+                        findings.extend(found.map(|found| finding(&named, &found)));
+                    }
+                    continue;
+                }
                 found => text::kept_in(unit, || found.lines()),
             },
             None => vec!["collisions are not checked: there is no compensated program".to_owned()],
         };
-        let of = if several { format!("wire {}: ", index + 1) } else { String::new() };
-        lines.into_iter().map(move |line| sentence(&format!("{of}{line}"))).collect::<Vec<_>>()
-    };
-    content.wires.iter().enumerate().flat_map(of_wire).collect()
+        lines.extend(said.into_iter().map(|line| sentence(&format!("{of}{line}"))));
+    }
+    (findings, lines)
 }
 
 /// Where the machine waits for a person.
@@ -233,7 +252,7 @@ fn finding(of: &str, diagnostic: &DiagnosticReport) -> Finding {
     let limit = diagnostic.limit_source.as_ref().map(|source| format!(" (limit from {source})"));
     Finding {
         severity: match diagnostic.severity {
-            SeverityName::Error => "error",
+            SeverityName::Error => ERROR,
             SeverityName::Warning => "warning",
             SeverityName::Info => "info",
         },

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { DiagnosticReport, LiveCheck, WireFigures } from "../../generated/responses";
-import { estimatesOf, figuresOf, fineOf, groupsOf, phraseOf, titleOf, valueText, whatOf } from "./texts";
+import { estimatesOf, figuresOf, fineOf, groupsOf, phraseOf, refusalOf, titleOf, valueText, whatOf } from "./texts";
 
 const short = (edge: number, value: number): DiagnosticReport => ({
   code: "edge_too_short",
@@ -204,5 +204,23 @@ describe("what is fine", () => {
     expect(fine).toContain("Rotation within the head's limits");
     expect(fine.some((text) => text.includes("bend"))).toBe(false);
     expect(fineOf(check([], [wire, wire]))).toContain("14 bends within reach");
+  });
+});
+
+describe("refusalOf", () => {
+  const of = (...diagnostics: DiagnosticReport[]) =>
+    refusalOf({ feasible: false, diagnostics, wires: [], limits_unknown: null } as unknown as LiveCheck);
+  const hit: DiagnosticReport = { ...short(1, 5), code: "meets_stock" };
+
+  it("names collisions, and that going on all the same drives the wire into something", () => {
+    expect(of(hit).sub).toContain("Check found 1 error, a collision.");
+    expect(of(hit).consequence).toMatch(/will hit the machine or itself: watch it/);
+    expect(of(hit, short(2, 5)).sub).toContain("Check found 2 errors, 1 collision among them.");
+  });
+
+  it("says of limits what becomes of the wire, and does not count warnings", () => {
+    const { sub, consequence } = of(short(1, 5), { ...hit, severity: "warning" });
+    expect(sub).toContain("Check found 1 error.");
+    expect(consequence).not.toContain("hit");
   });
 });

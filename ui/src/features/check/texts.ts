@@ -293,6 +293,28 @@ export function phraseOf(
     : { phrase: "cannot be made", tone: "error" };
 }
 
+/** Why the design is refused, in a sentence or two, and what follows where it is bent all the same. */
+export function refusalOf(check: LiveCheck | null): { readonly sub: string; readonly consequence: string } {
+  const errors = check?.diagnostics.filter(({ severity }) => severity === "error") ?? [];
+  const hits = errors.filter(({ code }) => isCollision(code)).length;
+  const found = errors.length === 0 ? "errors" : count(errors.length, "error");
+  const of =
+    hits === 0
+      ? ""
+      : hits === errors.length
+        ? hits === 1
+          ? ", a collision"
+          : ", collisions"
+        : `, ${count(hits, "collision")} among them`;
+  const consequence =
+    hits === 0
+      ? "The wire will not come out as designed, or the machine stops in the middle of it."
+      : hits === errors.length
+        ? "The wire will hit the machine or itself: watch it, with STOP at hand."
+        : "The wire will hit the machine or itself, and not come out as designed: watch it, with STOP at hand.";
+  return { sub: `Check found ${found}${of}. Fix what it names, or go on all the same.`, consequence };
+}
+
 /** How many bodies of the machine are only estimated: "5 of 6 bodies are estimates"; null where all are measured. */
 export function estimatesOf({ bodies, estimates }: Pick<Collisions, "bodies" | "estimates">): string | null {
   if (bodies === 0) return "The machine's profile has no bodies: only the wire itself was looked at.";

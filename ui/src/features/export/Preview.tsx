@@ -1,13 +1,11 @@
 import { useEffect } from "react";
 import type { FormatEntry } from "../../generated/responses";
 import { errorText } from "../../platform/error_text";
-import { Button } from "../../shared/controls/Button";
-import { Checkbox } from "../../shared/controls/inputs";
 import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { useDesign } from "../../state/design/design";
 import { preview, setDespiteErrors, useExports } from "../../state/files/exports";
-import { useUi } from "../../state/window/ui";
+import { Anyway } from "../check/Anyway";
 import { bytes, isPrinted } from "./groups";
 
 /** How long nothing has to change before it is asked for, ms. */
@@ -18,7 +16,6 @@ export function Preview({ format }: { readonly format: FormatEntry }) {
   const { preview: shown, previewing, settings, despiteErrors } = useExports();
   const { vertices, edges, state, check } = useDesign();
   const unit = useUnit();
-  const showSection = useUi((ui) => ui.showSection);
   // biome-ignore lint/correctness/useExhaustiveDependencies: what is written depends on all of these
   useEffect(() => {
     const timer = window.setTimeout(() => void preview(), REST_MS);
@@ -45,23 +42,9 @@ export function Preview({ format }: { readonly format: FormatEntry }) {
   return (
     <div className="stack" aria-busy={previewing}>
       {infeasible && (
-        <div className="inset stack">
-          <ul>
-            <Line
-              tone="error"
-              what="The machine cannot bend this"
-              sub="Check found errors. Confirm to write the file anyway."
-              action={
-                <Button kind="link" onClick={() => showSection("check")}>
-                  Check
-                </Button>
-              }
-            />
-          </ul>
-          <Checkbox checked={despiteErrors} onChange={setDespiteErrors}>
-            Write it anyway
-          </Checkbox>
-        </div>
+        <Anyway checked={despiteErrors} onChange={setDespiteErrors}>
+          Write it anyway
+        </Anyway>
       )}
       {mine?.refused && !(mine.refused.errors && infeasible) && (
         <ul>

@@ -14,7 +14,7 @@ import { PrintPreview } from "./print/PrintPreview";
 /** Where the file goes, and writing it. A file that is there is replaced only when a person says so. */
 export function WriteFile({ format }: { readonly format: FormatEntry }) {
   const state = useDesign((design) => design.state);
-  const { written, preview } = useExports();
+  const { written, preview, despiteErrors } = useExports();
   const suggested = beside(state?.file ?? null, fileName(state?.name ?? "", format));
   const [typed, setTyped] = useState<string | null>(null);
   /** A path that the system's dialog has asked about. */
@@ -46,7 +46,10 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
     if (thenWrite) await go(picked, true);
   };
   const refused = preview?.format === format.id ? preview.refused : null;
-  const why = busy ? "The file is being written." : refused ? refused.message : null;
+  // What Check found of collisions is no part of the preview, which does not look for them.
+  const infeasible = useDesign((design) => design.check?.feasible === false);
+  const withheld = format.program && infeasible && !despiteErrors ? "The machine cannot bend this: see above." : null;
+  const why = busy ? "The file is being written." : refused ? refused.message : withheld;
   const done = written?.format === format.id ? written.files : [];
   const answer = useRef<HTMLDivElement>(null);
   const [before] = useState(written);

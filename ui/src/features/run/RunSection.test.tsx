@@ -5,8 +5,10 @@ import { afterEach, beforeEach, expect, it, vi } from "vitest";
 const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
+import type { LiveCheck } from "../../generated/responses";
 import { Dialog, DialogHead } from "../../shared/layers/Dialog";
 import { place } from "../../shared/testing";
+import { useDesign } from "../../state/design/design";
 import { useRun } from "../../state/machine/run";
 import { machineState } from "../../state/testing";
 import { useUi } from "../../state/window/ui";
@@ -78,4 +80,27 @@ it("reports a wire that was interrupted before anything is connected, and none t
   act(() => useRun.setState({ runs: [{ ...run, outcome: "unfinished" }] }));
   expect(at.host.textContent).toContain("A wire was interrupted");
   expect(at.host.textContent).toContain("House, interrupted after step 3 of 10 · 1 interruption · wirebend-kit");
+});
+
+it("does not arm a wire that collides unless a person wants it all the same, knowing what follows", () => {
+  const limits = { feasible: true, diagnostics: [], wires: [{ time_s: 60 }] } as unknown as LiveCheck;
+  const hit = { severity: "error", code: "meets_stock" } as LiveCheck["diagnostics"][number];
+  useDesign.setState({
+    edges: new Map([[0, { id: 0, a: 0, b: 1 }]]),
+    limits,
+    check: { ...limits, feasible: false, diagnostics: [hit] },
+  });
+  useRun.setState({ state: machineState("ready", "arm", "dry-run", "disconnect") });
+  platform.ask.mockClear();
+  at.show(<RunSection />);
+  const arm = () => [...at.host.querySelectorAll("button")].find(({ textContent }) => textContent === "Arm…");
+  const orders = () => platform.ask.mock.calls.filter(([name]) => name === "order");
+  act(() => arm()?.click());
+  expect(orders()).toEqual([]);
+  const box = [...at.host.querySelectorAll("label")].find(({ textContent }) => textContent === "Bend it anyway");
+  act(() => box?.querySelector("input")?.click());
+  expect(at.host.textContent).toContain("The wire will hit the machine or itself");
+  act(() => arm()?.click());
+  expect(orders()).toMatchObject([["order", { request: { order: "arm", despite_errors: true } }]]);
+  useDesign.setState({ edges: new Map(), limits: null, check: null });
 });

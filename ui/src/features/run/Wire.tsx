@@ -7,6 +7,7 @@ import { isInWire, type MachineState } from "../../state/machine/operator";
 import { order } from "../../state/machine/run";
 import { useOtherWire } from "../../state/program/program";
 import { useRunFile } from "../../state/program/run_file";
+import { Anyway } from "../check/Anyway";
 import { Part } from "../panel/Section";
 import { buttons } from "./buttons";
 import { Differing } from "./Differing";
@@ -27,7 +28,8 @@ export function Wire({ state }: { readonly state: MachineState }) {
   const [pieces, setPieces] = useState(1);
   const [stockMm, setStock] = useState<number | null>(null);
   const otherWire = useOtherWire();
-  const all = buttons(state, useProspect());
+  const prospect = useProspect();
+  const all = buttons(state, prospect);
   const file = useRunFile((run) => run.file);
   const wires = file ? file.wires : (check?.wires ?? []);
   const wire = Math.min(chosen, Math.max(wires.length - 1, 0));
@@ -35,8 +37,9 @@ export function Wire({ state }: { readonly state: MachineState }) {
     state.settings.some(({ matters }) => matters) && !accept
       ? "The machine is set otherwise than its profile says: see below."
       : null;
-  // A program that the machine cannot make is armed where a person wants it all the same.
-  const despite = file?.kind === "program" && !file.feasible && all.arm === all.noWire && anyway;
+  // What the machine cannot make is armed where a person wants it all the same.
+  const refused = prospect.program && !prospect.feasible && (file ? file.kind === "program" : wires.length > 0);
+  const despite = refused && all.arm === all.noWire && anyway;
   const whyNot = (despite ? null : all.arm) ?? needsAccept;
   const under = isInWire(state.phase);
   const stock = wires[wire]?.stock_mm;
@@ -64,11 +67,17 @@ export function Wire({ state }: { readonly state: MachineState }) {
       {state.settings.length > 0 && (
         <Differing settings={state.settings} why={all.writeSettings} accept={accept} onAccept={setAccept} />
       )}
-      {file?.kind === "program" && !file.feasible && !under && (
-        <Checkbox checked={anyway} onChange={setAnyway}>
-          Run it although the machine cannot make it
-        </Checkbox>
-      )}
+      {refused &&
+        !under &&
+        (file ? (
+          <Checkbox checked={anyway} onChange={setAnyway}>
+            Run it although the machine cannot make it
+          </Checkbox>
+        ) : (
+          <Anyway checked={anyway} onChange={setAnyway}>
+            Bend it anyway
+          </Anyway>
+        ))}
       {!under && <Pieces pieces={pieces} stock={stockMm} onPieces={setPieces} onStock={setStock} />}
       {state.wire && under && (
         <div className="stack">
@@ -135,7 +144,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
           Dry run…
         </Button>
       )}
-      {all.noWire && (state.phase === "ready" || state.phase === "moving") && (
+      {all.noWire && !(refused && !file) && (state.phase === "ready" || state.phase === "moving") && (
         <p className="muted small">{all.noWire}</p>
       )}
       {!under && <Ended />}

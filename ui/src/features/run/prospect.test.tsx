@@ -18,11 +18,12 @@ function Shown() {
   return JSON.stringify(useProspect());
 }
 
-it("lets a person arm what collides, which the summary before it names, and not what is beyond a limit", () => {
+it("refuses to arm what Check refuses, a collision as well as what is beyond a limit", () => {
   const limits = { feasible: true, diagnostics: [], wires: [{ time_s: 60 }] } as unknown as LiveCheck;
-  useDesign.setState({ edges: new Map([[0, { id: 0, a: 0, b: 1 }]]), limits, check: { ...limits, feasible: false } });
+  const seen = () => JSON.parse(at.host.textContent ?? "");
+  useDesign.setState({ edges: new Map([[0, { id: 0, a: 0, b: 1 }]]), limits, check: limits });
   at.show(<Shown />);
-  expect(JSON.parse(at.host.textContent ?? "")).toEqual({ program: true, feasible: true, file: null });
-  act(() => useDesign.setState({ limits: { ...limits, feasible: false } }));
-  expect(JSON.parse(at.host.textContent ?? "")).toEqual({ program: true, feasible: false, file: null });
+  expect(seen()).toEqual({ program: true, feasible: true, file: null });
+  act(() => useDesign.setState({ check: { ...limits, feasible: false } }));
+  expect(seen()).toEqual({ program: true, feasible: false, file: null });
 });

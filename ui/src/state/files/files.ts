@@ -10,6 +10,7 @@ import { inTurn, replacingDesign, settled } from "../design/turns";
 import { loadRunFile, openRunFile } from "../program/run_file";
 import { useUi } from "../window/ui";
 import { useView } from "../window/view";
+import { useExports } from "./exports";
 
 /** What a file is opened for: as the design, or as the surface that is traced on. */
 export type Purpose = "design" | "stencil";
@@ -303,9 +304,10 @@ export async function closeDesign(): Promise<void> {
 
 /** Plans the design and writes it as a job; a design that cannot be made is refused, with the reason. */
 export async function saveJob(): Promise<void> {
+  const { despiteErrors } = useExports.getState();
   const path = await told(platform.pickSave(`${stem()}.wbjob`, { name: "Jobs", extensions: ["wbjob"] }));
   if (!path) return;
-  const saved = await told(asking("save-job", { output: { path, force: true } }));
+  const saved = await told(asking("save-job", { output: { path, force: true }, despite_errors: despiteErrors }));
   if (saved) tell("info", `The job is in ${saved.file}.`, "job-saved");
 }
 

@@ -45,6 +45,47 @@ impl Window {
     }
 }
 
+/// Who was told by *Check* that the wire runs into itself would otherwise arm the very same wire without a word of it, or carry away
+/// a program or a sheet that says nothing.
+#[test]
+fn a_collision_is_the_same_error_for_the_check_a_program_a_job_the_sheet_and_arming() {
+    let window = Window::new();
+    window.ask("new", json!({}));
+    // The first edge swings across the stock in the second bend; the third bend leads the wire away from it.
+    let through = json!([[0, 0, 0], [300, 0, 0], [225, 130, 0], [187, 65, 0], [112, 195, 0]]);
+    let draw = json!({"edit": "draw", "from": null, "through_mm": through, "to": null});
+    window.ask("edit", json!({"request": draw}));
+    let limits = window.ask("check", json!({"moved": []}));
+    assert_eq!(limits["feasible"], json!(true), "it is within every limit: {limits}");
+    let found = window.ask("collisions", json!({}));
+    let codes = |found: &Value| found["contacts"].to_string();
+    assert!(codes(&found).contains("meets_stock"), "{found}");
+
+    window.connect();
+    let output = |name: &str| json!({"path": window.home.path().join(name), "force": false});
+    let arm = |despite: bool| json!({"request": {"order": "arm", "wire": 0, "despite_errors": despite}});
+    let program = |despite: bool, name: &str| json!({"format": "wirebend-kit-text", "output": output(name), "despite_errors": despite});
+    let job = |despite: bool, name: &str| json!({"output": output(name), "despite_errors": despite});
+    let asked = [
+        ("export", program(false, "refused.txt")),
+        ("save-job", job(false, "refused.wbjob")),
+        ("order", arm(false)),
+    ];
+    for (ask, asked) in asked {
+        let refusal = window.try_ask(ask, asked).map(|_| ask).unwrap_err();
+        assert_eq!(serde_json::to_value(&refusal).unwrap()["code"], json!("not-feasible"), "{ask}");
+    }
+    // A person who wants it all the same gets it, and is told once more before anything moves.
+    window.ask("export", program(true, "wanted.txt"));
+    window.ask("save-job", job(true, "wanted.wbjob"));
+    window.ask("order", arm(true));
+    let asked = window.until(|state| state["question"].is_object());
+    assert!(
+        asked["question"]["lines"].to_string().contains("into the wire that is still to be bent"),
+        "{asked}"
+    );
+}
+
 /// Steps of one design would be lit up in another that was changed or opened since.
 #[test]
 fn whether_a_wire_is_of_the_open_design_is_known_by_its_hash() {
