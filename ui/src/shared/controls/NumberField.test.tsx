@@ -37,6 +37,37 @@ function type(field: HTMLInputElement, text: string, key = "Enter"): void {
 }
 
 describe("a field for a length", () => {
+  it("adds up what is typed as a sum, whatever sign it begins with", () => {
+    const field = show();
+    for (const [text, mm] of [
+      ["-0.3+30", 29.7],
+      ["12+3.5", 15.5],
+      ["\u22121 \u2212 2", -3],
+      ["1 in - 0.4mm", 25],
+      ["1/2 in+1", 13.7],
+      ["1e-1+1", 1.1],
+      ["5'-6\"", 1676.4],
+    ] as const) {
+      committed = [];
+      type(field, text);
+      expect(committed[0], text).toBeCloseTo(mm, 9);
+    }
+  });
+
+  it("says what it expects where it cannot read, but not while a sum is half written", () => {
+    const field = show();
+    const said = () => at.host.querySelector("[role=alert]")?.textContent;
+    for (const text of ["12*3", "1++2", "cat", "3+cat"]) {
+      type(field, text);
+      expect(said(), text).toContain("or a sum such as 12+3.5");
+    }
+    for (const text of ["-", "12+", "0."]) {
+      type(field, text, "a");
+      expect(said(), text).toBeUndefined();
+    }
+    expect(committed).toEqual([]);
+  });
+
   it("shows the unit of the design and reads any", () => {
     unit = "inch";
     const field = show({ value: 25.4 });

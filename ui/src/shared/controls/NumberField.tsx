@@ -8,15 +8,23 @@ type Quantity = "length" | "fine" | "angle" | "number" | "percent" | "whole";
 
 interface Kind {
   readonly unit: string;
+  /** What is read, said to a person whose text is not. */
+  readonly expected: string;
   show(value: number): string;
   read(text: string): number | null;
   /** What an arrow key adds. */
   readonly step: number;
 }
 
+const lengthExpected = (unit: DisplayUnit): string =>
+  unit === "inch"
+    ? "a length such as 1/2, 12 mm, or a sum such as 2+1/4"
+    : "a length such as 12.5, 1/2 in, or a sum such as 12+3.5";
+
 /** A number of anything, such as a mass, with its own unit or none. */
 const plainNumber = (unit: string): Kind => ({
   unit,
+  expected: "a number, or a sum such as 12+3.5",
   show: (value) => short(value).replace(/\u202f/g, ""),
   read: (text) => parseNumber(unit && text.trimEnd().endsWith(unit) ? text.trimEnd().slice(0, -unit.length) : text),
   step: 0.1,
@@ -27,6 +35,7 @@ const fineLength = (unit: DisplayUnit, per: string): Kind => {
   const mm = unit === "inch" ? 25.4 : 1;
   return {
     unit: unitName(unit) + per,
+    expected: lengthExpected(unit),
     show: (value) => short(value / mm).replace(/\u202f/g, ""),
     read: (text) =>
       parseLength(per && text.trimEnd().endsWith(per) ? text.trimEnd().slice(0, -per.length) : text, unit),
@@ -41,6 +50,7 @@ function quantity(kind: Quantity, unit: DisplayUnit, own: string): Kind {
     case "length":
       return {
         unit: unitName(unit),
+        expected: lengthExpected(unit),
         show: (mm) => plain(lengthNumber(mm, unit)),
         read: (text) => parseLength(text, unit),
         step: unit === "inch" ? 2.54 : 1,
@@ -48,10 +58,17 @@ function quantity(kind: Quantity, unit: DisplayUnit, own: string): Kind {
     case "fine":
       return fineLength(unit, own);
     case "angle":
-      return { unit: "°", show: (deg) => plain(number(deg)), read: parseAngle, step: 1 };
+      return {
+        unit: "°",
+        expected: "an angle such as 45, or a sum such as 90-7.5",
+        show: (deg) => plain(number(deg)),
+        read: parseAngle,
+        step: 1,
+      };
     case "percent":
       return {
         unit: "%",
+        expected: "a number of percent, such as 50",
         show: (share) => plain(number(share * 100, Number.isInteger(Math.round(share * 1e6) / 1e4) ? 0 : 1)),
         read: (text) => {
           const value = parseNumber(text.replace(/%\s*$/, ""));
@@ -62,6 +79,7 @@ function quantity(kind: Quantity, unit: DisplayUnit, own: string): Kind {
     case "whole":
       return {
         unit: "",
+        expected: "a whole number",
         show: (value) => plain(number(value, 0)),
         read: (text) => {
           const value = parseNumber(text);
@@ -146,7 +164,9 @@ export function NumberField({
   const wrong = typed !== null && typed.trim() !== "" && (read === null || outside);
   const limits = outside
     ? `from ${Number.isFinite(min) ? how.show(min) : "any"} to ${Number.isFinite(max) ? how.show(max) : "any"}`
-    : "a number";
+    : how.expected;
+  // What ends so is not written to its end: it is no time to correct it.
+  const halfWritten = typed !== null && /[-\u2212+.,/]\s*$/.test(typed);
 
   /** What stands there now; null where it is empty or wrong. */
   const commit = (): number | null => {
@@ -247,6 +267,11 @@ export function NumberField({
       {how.unit && (
         <span className="number-unit" aria-hidden="true">
           {how.unit}
+        </span>
+      )}
+      {wrong && !halfWritten && (
+        <span className="number-expected" role="alert">
+          Expected {limits}
         </span>
       )}
     </span>
