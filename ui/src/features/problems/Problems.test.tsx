@@ -133,3 +133,18 @@ it("leaves no place empty under the pointer once the last is dismissed: a click 
   pass(8000);
   expect(texts()).toEqual([]);
 });
+
+it("does not keep what is out of sight for later: many wrong files are not reported one by one for minutes", () => {
+  say("error", "1", "2", "3", "4", "5");
+  pass(40_000);
+  expect(texts()).toEqual([]);
+});
+
+it("keeps what a person has to do something about until it is dismissed", () => {
+  act(() => tell("error", "connect again", "", true));
+  say("error", "no file");
+  pass(3_600_000);
+  expect(texts()).toEqual(["connect again"]);
+  press("Dismiss");
+  expect(texts()).toEqual([]);
+});

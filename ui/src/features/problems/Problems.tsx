@@ -23,13 +23,19 @@ function useHidden(): boolean {
   return hidden;
 }
 
-function One({ problem, held, gone }: { readonly problem: Problem; readonly held: boolean; readonly gone: boolean }) {
-  const { id, severity, message } = problem;
+/** Has a message go by itself, also one that is not among the latest: it is as old as they are. */
+function Ageing({ problem, held }: { readonly problem: Problem; readonly held: boolean }) {
+  const { id, severity, stays } = problem;
   useEffect(() => {
-    if (held) return;
+    if (held || stays) return;
     const timer = setTimeout(() => dismiss(id), LIFE_MS[severity]);
     return () => clearTimeout(timer);
-  }, [held, id, severity]);
+  }, [held, id, severity, stays]);
+  return null;
+}
+
+function One({ problem, gone }: { readonly problem: Problem; readonly gone: boolean }) {
+  const { id, severity, message } = problem;
   return (
     <li className={`problem ${severity}${gone ? " gone" : ""}`} aria-hidden={gone || undefined}>
       <Mark tone={severity} />
@@ -98,10 +104,13 @@ export function Problems() {
         if (!box.current?.contains(relatedTarget)) setFocused(false);
       }}
     >
+      {problems.map((problem) => (
+        <Ageing key={problem.id} problem={problem} held={used || hidden} />
+      ))}
       <div role="status" aria-live="polite" aria-label="Messages">
         <ul>
           {shown.map((problem) => (
-            <One key={problem.id} problem={problem} held={used || hidden} gone={!problems.includes(problem)} />
+            <One key={problem.id} problem={problem} gone={!problems.includes(problem)} />
           ))}
         </ul>
       </div>

@@ -27,7 +27,7 @@ export function RunSection() {
       const { state, runs } = useRun.getState();
       const told = interruptedPhrase(runs, useUnits.getState().unit);
       // The section may be out of sight, and the wire is still in the machine.
-      if (state === null && told) tell("warning", `${told.what}. ${told.sub}`, INTERRUPTED);
+      if (state === null && told) tell("warning", `${told.what}. ${told.sub}`, INTERRUPTED, true);
     })();
   }, []);
   const connected = isOpen(state);

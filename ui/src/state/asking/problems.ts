@@ -9,6 +9,8 @@ export interface Problem {
   readonly message: string;
   /** The name that stays the same while the wording may change. */
   readonly code: string;
+  /** Whether a person has to do something about it: it is there until it is dismissed or over, while others go by themselves. */
+  readonly stays: boolean;
 }
 
 interface ProblemStore {
@@ -19,8 +21,8 @@ export const useProblems = create<ProblemStore>()(() => ({ problems: [] }));
 
 let next = 1;
 
-export function tell(severity: Problem["severity"], message: string, code = ""): void {
-  const problem = { id: next++, severity, message, code };
+export function tell(severity: Problem["severity"], message: string, code = "", stays = false): void {
+  const problem = { id: next++, severity, message, code, stays };
   useProblems.setState(({ problems }) => ({
     // The same once more is no news.
     problems: [...problems.filter((other) => other.message !== message), problem],

@@ -121,11 +121,16 @@ export function hearOperator(event: OperatorEvent): void {
     case "stopped":
       // Whether the machine stands is reported with the state, once it is known.
       if (event.driver_ended)
-        tell("warning", "The driver did not pass STOP on and was ended. Connect the machine again.", "driver-ended");
+        tell(
+          "warning",
+          "The driver did not pass STOP on and was ended. Connect the machine again.",
+          "driver-ended",
+          true,
+        );
       break;
     case "problem":
       // The section shows it beside the buttons that it is about.
-      if (!useUi.getState().open.includes("run")) tell("error", errorText(event), event.code);
+      if (!useUi.getState().open.includes("run")) tell("error", errorText(event), event.code, true);
       break;
     case "news":
       hearProgress(event);
