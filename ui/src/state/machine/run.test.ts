@@ -50,6 +50,15 @@ describe("hearOperator", () => {
     expect(useRun.getState().state?.phase).toBe("ready");
   });
 
+  it("has a stop among the lines, at the time at which it was pressed", () => {
+    hearOperator({ event: "news", news: "console", to_machine: true, text: "M1" });
+    hearOperator({ event: "stopped", by: "host", driver_ended: false, took_ms: 100 });
+    vi.advanceTimersByTime(100);
+    const [line, stopped] = useRun.getState().console;
+    expect(stopped).toMatchObject({ toMachine: true, text: "STOP pressed: sent past the driver" });
+    expect((line?.at ?? 0) - (stopped?.at ?? 0)).toBe(100);
+  });
+
   it("collects lines of the console for a moment, in their order", () => {
     hearOperator({ event: "news", news: "console", to_machine: true, text: "M1" });
     hearOperator({ event: "news", news: "console", to_machine: false, text: "ok" });

@@ -119,6 +119,8 @@ export function hearOperator(event: OperatorEvent): void {
       useRun.setState({ ended: event.wires.at(-1) ?? null });
       break;
     case "stopped":
+      // Among the lines, when it was pressed: what the machine is sent for it is no line, and comes by the driver or by the program itself.
+      collect({ toMachine: true, at: Date.now() - event.took_ms, text: STOPPED[event.by] });
       // Whether the machine stands is reported with the state, once it is known.
       if (event.driver_ended)
         tell(
@@ -137,6 +139,15 @@ export function hearOperator(event: OperatorEvent): void {
       break;
   }
 }
+
+/** What the console says of a stop, by what has sent it. */
+const STOPPED: Readonly<Record<Extract<OperatorEvent, { event: "stopped" }>["by"], string>> = {
+  driver: "STOP pressed: the driver has sent it",
+  "nothing-more": "STOP pressed: nothing more is sent, but this machine cannot be stopped",
+  "end-of-driver": "STOP pressed: the driver was ended",
+  "end-of-simulation": "STOP pressed: the simulated machine was ended",
+  host: "STOP pressed: sent past the driver",
+};
 
 function hearProgress(news: Extract<OperatorEvent, { event: "news" }>): void {
   const { state } = useRun.getState();
