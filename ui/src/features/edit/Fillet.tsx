@@ -11,38 +11,36 @@ import { useFigure } from "./figure";
 import { Do } from "./forms";
 import { needs, Outcome, useOutcome } from "./Outcome";
 
+/** What a fillet of the selected corners would come to: a sentence, whether it can be made, and a radius that fits. */
+interface Prospect {
+  readonly fits: boolean | null;
+  readonly text: string;
+  /** The nearest radius that fits, mm; null where none does, or where none is needed. */
+  readonly nearest: number | null;
+}
+
 /** What the figures would make of the selected corners, while they are typed. */
-function Chords({
-  radius,
-  step,
-  take,
-}: {
-  readonly radius: number;
-  readonly step: number;
-  readonly take: (radius: number) => void;
-}) {
+function useProspect(radius: number, step: number): Prospect {
   useDesign();
   useSelection();
   const vertices = selectedCorners();
   const asked = { edit: "fillet", vertices, radius_mm: radius, step_deg: step } as const;
   const answer = useOutcome("fillet", vertices.length > 0 ? asked : null);
   const { length } = useLengths();
-  if (vertices.length === 0) return <Outcome fits={null} text="Select corners to see the chords." use={null} />;
-  if (answer?.problem) return <Outcome fits={false} text={answer.problem} use={null} />;
+  if (vertices.length === 0) return { fits: null, text: "Select corners to see the chords.", nearest: null };
+  if (answer?.problem) return { fits: false, text: answer.problem, nearest: null };
   const found = answer?.outcome;
   if (found?.outcome === "fillet") {
     const chords = found.chords.reduce((sum, of) => sum + of, 0);
     const on = `${count(chords, "chord")} on ${count(found.chords.length, "corner")}`;
     const text = `${on}, the shortest ${length(found.shortest_mm)}${needs(found.needed_mm, length)}.`;
-    return <Outcome fits text={text} use={null} />;
+    return { fits: true, text, nearest: null };
   }
-  if (found?.outcome !== "no-fillet") return <Outcome fits={null} text="" use={null} />;
+  if (found?.outcome !== "no-fillet") return { fits: null, text: "", nearest: null };
   const { part, vertex, nearest_mm: nearest } = found;
   const what = part === "chords" ? `Two chords at vertex ${vertex} would be` : `An edge at vertex ${vertex} would keep`;
-  const none = nearest === null ? " No radius fits." : "";
-  const use = nearest === null ? null : { label: `Use ${length(nearest)}`, take: () => take(nearest) };
-  const text = `${what} ${length(found.length_mm)}${needs(found.needed_mm, length)}.${none}`;
-  return <Outcome fits={false} text={text} use={use} />;
+  const text = `${what} ${length(found.length_mm)}${needs(found.needed_mm, length)}.`;
+  return { fits: false, text: nearest === null ? `${text} No radius fits.` : text, nearest };
 }
 
 /** Corners rounded by a radius. What comes out is told: the machine's shortest edge decides how many chords there are. */
@@ -50,6 +48,13 @@ export function FilletForm() {
   const radius = useFigure(30);
   const step = useFigure(15);
   const { length } = useLengths();
+  const { fits, text, nearest } = useProspect(radius.now, step.now);
+  const why =
+    fits !== false
+      ? null
+      : nearest === null
+        ? "No fillet can be made here: see above."
+        : `The nearest radius that fits is ${length(nearest)}.`;
   const make = async (by: number) => {
     if (whyNot("fillet")) return;
     const made = await fillet(by, step.value);
@@ -65,8 +70,12 @@ export function FilletForm() {
       <Field label="Step" hint="Largest bend angle between two chords. No chord is shorter than the machine can make.">
         {({ id }) => <NumberField id={id} kind="angle" label="Step" min={1} max={90} {...step.field} />}
       </Field>
-      <Chords radius={radius.now} step={step.now} take={radius.set} />
-      <Do command="fillet" onDo={() => void make(radius.value)}>
+      <Outcome
+        fits={fits}
+        text={text}
+        use={nearest === null ? null : { label: `Use ${length(nearest)}`, take: () => radius.set(nearest) }}
+      />
+      <Do command="fillet" why={why} onDo={() => void make(radius.value)}>
         Fillet
       </Do>
     </>

@@ -1,0 +1,48 @@
+// @vitest-environment happy-dom
+import { act } from "react";
+import { expect, it, vi } from "vitest";
+
+const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
+vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
+
+import type { EditOutcome } from "../../generated/responses";
+import { place } from "../../shared/testing";
+import { useDesign } from "../../state/design/design";
+import { select } from "../../state/design/selection";
+import { designState } from "../../state/testing";
+import { FilletForm } from "./Fillet";
+
+const at = place();
+
+it("is not offered where it would be refused, and says beside the button what fits", async () => {
+  const found: EditOutcome = {
+    outcome: "no-fillet",
+    part: "edges",
+    vertex: 1,
+    length_mm: 3,
+    needed_mm: 20.4,
+    nearest_mm: 12.5,
+  };
+  platform.ask.mockImplementation(async (name: string) => (name === "outcome" ? { outcome: found } : {}));
+  const corner = { support: false };
+  useDesign.setState({
+    state: designState(),
+    vertices: new Map([
+      [0, { id: 0, at: [0, 0, 0], ...corner }],
+      [1, { id: 1, at: [50, 0, 0], ...corner }],
+      [2, { id: 2, at: [50, 50, 0], ...corner }],
+    ]),
+    edges: new Map([
+      [0, { id: 0, a: 0, b: 1 }],
+      [1, { id: 1, a: 1, b: 2 }],
+    ]),
+  });
+  act(() => select([1]));
+  at.show(<FilletForm />);
+  await act(async () => {});
+  const button = [...at.host.querySelectorAll("button")].find(({ textContent }) => textContent === "Fillet");
+  expect(button?.getAttribute("aria-disabled")).toBe("true");
+  expect(at.host.textContent).toContain("The nearest radius that fits is 12.5 mm.");
+  act(() => button?.click());
+  expect(platform.ask).not.toHaveBeenCalledWith("edit", expect.anything());
+});
