@@ -7,7 +7,7 @@ import { Select } from "../../shared/controls/inputs";
 import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { useMachines } from "../../state/machine/machines";
-import { connect, isOpen, loadPorts, useRun } from "../../state/machine/run";
+import { choosePort, connect, isOpen, loadPorts, useRun } from "../../state/machine/run";
 import { useRunMachine } from "../../state/program/run_file";
 import { guess, portPhrase } from "./phrases";
 import { Ended } from "./records/Ended";
@@ -17,14 +17,13 @@ import { Simulated } from "./Simulated";
 /** Choosing a port, and connecting: the first time, or again after the machine has failed. */
 export function Connect() {
   const machine = useRunMachine();
-  const { ports, portProblem, ordering, state, runs } = useRun();
+  const { ports, portProblem, chosenPorts, ordering, state, runs } = useRun();
   const unit = useUnit();
   const interrupted = interruptedPhrase(runs, unit);
-  const [chosen, setChosen] = useState<string | null>(null);
+  const chosen = machine ? (chosenPorts.get(machine) ?? null) : null;
   const [as, setAs] = useState<SimulatedAs>({});
   useEffect(() => {
     if (machine) void loadPorts();
-    setChosen(null);
     setAs({});
   }, [machine]);
   const known = ports ?? [];
@@ -67,7 +66,7 @@ export function Connect() {
             <Select
               {...ids}
               value={port ?? ""}
-              onChoose={setChosen}
+              onChoose={(name) => machine && choosePort(machine, name)}
               choices={[
                 ...(port === null
                   ? [{ value: "", label: ports === null ? "looking…" : known.length === 0 ? "none" : "choose" }]

@@ -5,12 +5,12 @@ import { afterEach, beforeEach, expect, it, vi } from "vitest";
 const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
-import type { LiveCheck } from "../../generated/responses";
+import type { LiveCheck, PortEntry } from "../../generated/responses";
 import { Dialog, DialogHead } from "../../shared/layers/Dialog";
 import { place } from "../../shared/testing";
 import { useDesign } from "../../state/design/design";
 import { useRun } from "../../state/machine/run";
-import { machineState } from "../../state/testing";
+import { designState, machineState } from "../../state/testing";
 import { useUi } from "../../state/window/ui";
 import { RunSection } from "./RunSection";
 import { SessionStop } from "./StopButton";
@@ -103,4 +103,22 @@ it("does not arm a wire that collides unless a person wants it all the same, kno
   act(() => arm()?.click());
   expect(orders()).toMatchObject([["order", { request: { order: "arm", despite_errors: true } }]]);
   useDesign.setState({ edges: new Map(), limits: null, check: null });
+});
+
+it("keeps the chosen port when the machine is disconnected, and goes back to no simulated one", async () => {
+  const port = (name: string, simulated: boolean): PortEntry =>
+    ({ name, simulated, description: "", likely_for: [], usb: null }) as unknown as PortEntry;
+  useDesign.setState({ state: designState({ machine: "wirebend-kit" }) });
+  useRun.setState({ state: null, ports: [port("sim", true), port("/dev/ttyACM7", false)] });
+  const chosen = () => at.host.querySelector<HTMLSelectElement>("select")?.value;
+  at.show(<RunSection />);
+  expect(chosen()).toBe("sim");
+  act(() => {
+    const select = at.host.querySelector("select");
+    Object.getOwnPropertyDescriptor(HTMLSelectElement.prototype, "value")?.set?.call(select, "/dev/ttyACM7");
+    select?.dispatchEvent(new Event("change", { bubbles: true }));
+  });
+  act(() => useRun.setState({ state: machineState("ready", "disconnect") }));
+  act(() => useRun.setState({ state: machineState("closed") }));
+  expect(chosen()).toBe("/dev/ttyACM7");
 });

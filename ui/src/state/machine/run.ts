@@ -35,6 +35,8 @@ interface RunStore {
   /** Null before they are known. */
   readonly ports: readonly PortEntry[] | null;
   readonly portProblem: string | null;
+  /** The port that a person has chosen, by machine: it stays chosen when the connection is closed. */
+  readonly chosenPorts: ReadonlyMap<string, string>;
   /** An order is on its way. */
   readonly ordering: boolean;
 }
@@ -48,8 +50,13 @@ export const useRun = create<RunStore>()(() => ({
   runs: null,
   ports: null,
   portProblem: null,
+  chosenPorts: new Map(),
   ordering: false,
 }));
+
+export function choosePort(machine: string, port: string): void {
+  useRun.setState(({ chosenPorts }) => ({ chosenPorts: new Map(chosenPorts).set(machine, port) }));
+}
 
 /** Whether there is a session, so that there may be something to stop. */
 export const isOpen = (state: MachineState | null): boolean => state !== null && state.phase !== "closed";
