@@ -5,7 +5,7 @@ import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { useCollisions } from "../../state/design/collisions";
 import { useDesign } from "../../state/design/design";
-import { avoidCollisions, useFixes } from "../../state/design/fixes";
+import { applyFix, avoidCollisions, moreWires, useFixes } from "../../state/design/fixes";
 import { type PlayedContact, setStops, useContacts, useStops } from "../../state/program/contacts";
 import { jump } from "../../state/program/player";
 import { usePlayback } from "../../state/program/program";
@@ -65,6 +65,18 @@ function Avoid() {
   if (mine && avoiding.failed)
     return (
       <p className="muted small">No order of the bends without a collision was found. Check may have other fixes.</p>
+    );
+  const offered = mine ? avoiding.offered : undefined;
+  if (offered)
+    return (
+      <div className="row wrap">
+        <span className="small">
+          {offered.title}: {moreWires(offered)}.
+        </span>
+        <Button small kind="primary" onClick={() => void applyFix(offered)}>
+          Apply
+        </Button>
+      </div>
     );
   return (
     <div className="row wrap">

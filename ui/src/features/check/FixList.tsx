@@ -6,7 +6,7 @@ import { useLengths } from "../../shared/figures/unit";
 import { useInSight } from "../../shared/lists/sight";
 import { useDesign } from "../../state/design/design";
 import { isCollision } from "../../state/design/findings";
-import { applyFix, showFix, useFixes } from "../../state/design/fixes";
+import { applyFix, moreWires, showFix, useFixes } from "../../state/design/fixes";
 import { isFirst } from "./totals";
 
 /** What changes, in a line: "+601.4 mm · +$1.20 · +2:10"; without a route, what there is then. */
@@ -72,7 +72,7 @@ export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
           // biome-ignore lint/suspicious/noArrayIndexKey: the fixes of a finding come and go together
           <li key={index} className="fix">
             <div className="fix-title">{fix.title}</div>
-            <div className="muted">{change(fix)}</div>
+            <div className="muted">{[moreWires(fix), change(fix)].filter(Boolean).join(" · ")}</div>
             <div className="row">
               <Button small pressed={now} onClick={() => showFix(now ? null : fix)}>
                 Preview

@@ -16,7 +16,7 @@ const collisions = (): Collisions => ({
   bodies: 6,
   estimates: 6,
 });
-const fix = (edit: EditRequest): Fix => ({ mends: finding, title: "", edit }) as Fix;
+const fix = (edit: EditRequest): Fix => ({ mends: finding, title: "", edit, after: { wires: 1 } }) as Fix;
 const turned: EditRequest = { edit: "reversed", reversed: true };
 const walks: EditRequest = {
   edit: "several",

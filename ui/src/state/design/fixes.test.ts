@@ -6,9 +6,11 @@ vi.mock("../../platform", () => ({
   Refused: class Refused extends Error {},
 }));
 
-import type { Fix } from "../../generated/responses";
+import type { Collisions, Fix, LiveCheck } from "../../generated/responses";
+import { platform } from "../../platform";
 import type { SceneDesign } from "../../scene/interface";
-import { fixesOf, previewOf } from "./fixes";
+import { useDesign } from "./design";
+import { applyFix, avoidCollisions, fixesOf, moreWires, previewOf, useFixes } from "./fixes";
 
 const design: SceneDesign = {
   vertices: new Map([0, 1, 2].map((id) => [id, { id, at: [id * 10, 0, 0] as const, support: false }])),
@@ -87,4 +89,29 @@ it("a fix belongs to the diagnostic of its place", () => {
   const fix = { mends: { ...report, vertex: null } } as unknown as Fix;
   expect(fixesOf(report, [fix])).toEqual([fix]);
   expect(fixesOf({ ...report, edge: 4 }, [fix])).toEqual([]);
+});
+
+describe("a way without collisions that takes more wires", () => {
+  const collisions = { contacts: [{}], checked: true, stopped: false } as unknown as Collisions;
+  const way = {
+    title: "Bend it in another order",
+    mends: { code: "meets_stock" },
+    edit: { edit: "walks" },
+    after: { wires: 3 },
+    preview: nothing,
+  } as unknown as Fix;
+
+  it("is offered with how many it makes, and made only when a person takes it, who is told so once more", async () => {
+    const ask = vi.mocked(platform.ask);
+    ask.mockReset().mockImplementation((async (name: string) => (name === "fixes" ? { fixes: [way] } : null)) as never);
+    const limits = { wires: [{}] } as unknown as LiveCheck;
+    useDesign.setState({ limits, collisions: { found: collisions, version: 1, dragged: false } });
+    await avoidCollisions();
+    expect(ask).not.toHaveBeenCalledWith("edit", expect.anything());
+    expect(useFixes.getState().avoiding?.offered).toBe(way);
+    expect(moreWires(way)).toBe("makes 3 wires of 1");
+    expect(moreWires({ ...way, after: { ...way.after, wires: 1 } })).toBeNull();
+    await applyFix(way);
+    expect(ask).toHaveBeenCalledWith("edit", expect.objectContaining({ request: { edit: "walks" } }));
+  });
 });

@@ -2,6 +2,7 @@ import { create } from "zustand";
 import type { EditRequest } from "../../generated/requests";
 import type { Collisions, DiagnosticReport, Fix, FixPreview, LiveCheck } from "../../generated/responses";
 import type { Preview, SceneDesign, Vec3 } from "../../scene/interface";
+import { tell } from "../asking/problems";
 import { asking } from "../asking/work";
 import { useView } from "../window/view";
 import { edit, useDesign } from "./design";
@@ -19,7 +20,12 @@ interface FixStore {
   /** Over once the fixes of collisions are there. */
   readonly asked: Promise<void>;
   /** The collisions for which walks that hit nothing are searched for, and whether there were none. */
-  readonly avoiding: { readonly of: Collisions; readonly failed: boolean } | null;
+  readonly avoiding: {
+    readonly of: Collisions;
+    readonly failed: boolean;
+    /** Found, but with more wires than there are: a person is asked first. */
+    readonly offered?: Fix;
+  } | null;
   /** The one that is shown in the view. */
   readonly shown: Fix | null;
 }
@@ -117,8 +123,15 @@ export async function avoidCollisions(): Promise<void> {
   await needFixesOfCollisions();
   if (useDesign.getState().collisions?.found !== found) return;
   const fix = useFixes.getState().fixes.find((one) => ofCollisions(one) && takesWalks(one.edit));
-  if (fix) await applyFix(fix);
+  if (fix && moreWires(fix)) useFixes.setState({ avoiding: { of: found, failed: false, offered: fix } });
+  else if (fix) await applyFix(fix);
   else useFixes.setState({ avoiding: { of: found, failed: true } });
+}
+
+/** "makes 3 wires of 1", where a fix leaves another number of wires than the checks know; null where it does not. */
+export function moreWires({ after: { wires } }: Fix): string | null {
+  const now = useDesign.getState().limits?.wires.length ?? 0;
+  return now === 0 || wires === now ? null : `makes ${wires} ${wires === 1 ? "wire" : "wires"} of ${now}`;
 }
 
 /** The view has given up the preview. */
@@ -129,5 +142,7 @@ export function previewGone(): void {
 /** Makes it: one change, which undo takes back. */
 export async function applyFix(fix: Fix): Promise<void> {
   showFix(null);
-  await edit(fix.edit);
+  const changed = moreWires(fix);
+  // Which wires there are is seen nowhere in the view: who has not read the offer would cut stock for one.
+  if ((await edit(fix.edit)) && changed) tell("info", `${fix.title}: ${changed}. Undo takes it back.`, "more-wires");
 }
