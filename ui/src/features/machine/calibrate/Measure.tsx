@@ -1,4 +1,4 @@
-import { type KeyboardEvent, useState } from "react";
+import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 import type { CalibrationRow } from "../../../generated/responses";
 import { platform } from "../../../platform";
 import { Button } from "../../../shared/controls/Button";
@@ -14,8 +14,14 @@ const TABLES = { name: "Tables", extensions: ["csv", "txt"] } as const;
 export function Measure() {
   const { sheet, report, gap, busy } = useCalibration();
   const [more, setMore] = useState(0);
+  const columns = Math.max(1, ...(sheet?.rows ?? []).map(({ readings }) => readings.length)) + more;
+  const newest = useRef<HTMLTableCellElement>(null);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: another column is the newest
+  useEffect(() => {
+    // A narrow window has no room for all: what was measured last is what a person looks at.
+    newest.current?.scrollIntoView({ block: "nearest", inline: "end" });
+  }, [columns, sheet === null]);
   if (!sheet) return null;
-  const columns = Math.max(1, ...sheet.rows.map(({ readings }) => readings.length)) + more;
   const pinTable = async () => {
     const picked = await told(platform.pickFile([TABLES]));
     if (picked) await addPinTable(picked);
@@ -61,7 +67,7 @@ export function Measure() {
               </th>
               {Array.from({ length: columns }, (_, at) => (
                 // biome-ignore lint/suspicious/noArrayIndexKey: a column has no other name
-                <th key={at} scope="col" className="figure">
+                <th key={at} ref={at === columns - 1 ? newest : null} scope="col" className="figure">
                   Reading {at + 1}
                 </th>
               ))}
