@@ -22,6 +22,7 @@ const ERROR: &str = "error";
 /// A job sheet as PDF.
 pub(super) fn encode(content: &mut Content, print: &Print) -> Vec<u8> {
     let sheet = text::kept_in(print.unit, || sheet(content, print));
+    content.feasible = sheet.feasible;
     let pdf = job_sheet(&sheet);
     content.notes.extend(letters_replaced(&pdf.missing));
     pdf.bytes

@@ -75,6 +75,8 @@ fn a_collision_is_the_same_error_for_the_check_a_program_a_job_the_sheet_and_arm
         let refusal = window.try_ask(ask, asked).map(|_| ask).unwrap_err();
         assert_eq!(serde_json::to_value(&refusal).unwrap()["code"], json!("not-feasible"), "{ask}");
     }
+    let sheet = window.ask("export", json!({"format": "job-sheet"}));
+    assert_eq!(sheet["feasible"], json!(false), "the sheet says that it can be bent");
     // A person who wants it all the same gets it, and is told once more before anything moves.
     window.ask("export", program(true, "wanted.txt"));
     window.ask("save-job", job(true, "wanted.wbjob"));
