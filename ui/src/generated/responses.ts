@@ -2839,6 +2839,11 @@ export interface MachineViewResponse {
    */
   max_stock_mm: number | null;
   /**
+   * Shortest edge beside a bend of 90°, mm, with the machine's own wire, wherever it is in the wire: a bend takes a part of it, and
+   * the feed has a limit too. Null where that is not known.
+   */
+  min_edge_between_mm: number | null;
+  /**
    * Shortest designed edge, mm.
    */
   min_edge_mm: number;

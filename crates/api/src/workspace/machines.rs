@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use wirebend_planning::bodies::{peg_top_mm, pivot_mm};
+use wirebend_planning::curves::MachineEdges;
 use wirebend_planning::profiles::set::replace;
 use wirebend_profile::{Kind, Shape};
 
@@ -50,6 +51,9 @@ pub struct MachineViewResponse {
     pub bend_deg: [f64; 2],
     /// Shortest designed edge, mm.
     pub min_edge_mm: f64,
+    /// Shortest edge beside a bend of 90°, mm, with the machine's own wire, wherever it is in the wire: a bend takes a part of it, and
+    /// the feed has a limit too. Null where that is not known.
+    pub min_edge_between_mm: Option<f64>,
     /// Shortest feed, mm.
     pub min_feed_mm: f64,
     /// How far the head turns to both sides, degrees.
@@ -148,6 +152,10 @@ impl Workspace {
             driver,
             bend_deg: [limits.min_bend_deg, limits.max_bend_deg],
             min_edge_mm: limits.min_edge_mm,
+            min_edge_between_mm: app
+                .setup(&asked.machine, None)
+                .ok()
+                .map(|setup| MachineEdges::of(&setup.model).shortest_edge_mm),
             min_feed_mm: limits.min_feed_mm,
             rotation_deg: [limits.min_rotation_deg, limits.max_rotation_deg],
             diameter_mm: [figures.min_diameter_mm, figures.max_diameter_mm],

@@ -205,3 +205,24 @@ fn a_machine_is_compared_before_it_is_chosen() {
     let state = Window::at(home).ask("start", json!({}))["design"]["state"].clone();
     assert_eq!(state["machine"], "pensa-diwire-pro");
 }
+
+/// A card that names a shorter edge than the checks ask for sends a person into an error.
+#[test]
+fn the_edge_beside_a_bend_that_a_machine_names_is_the_shortest_that_the_checks_take() {
+    let window = Window::new();
+    window.ask("new", json!({}));
+    let view = window.ask("machine-view", json!({"machine": "wirebend-kit"}));
+    let between = view["min_edge_between_mm"].as_f64().unwrap();
+    assert!(between > view["min_edge_mm"].as_f64().unwrap() + 1.0, "{between}");
+    for (edge, fits) in [(between + 0.01, true), (between - 0.01, false)] {
+        // A flat U: whichever way it runs, its last edge gives a part of itself to the bend before it.
+        let through = json!([[0, edge, 0], [0, 0, 0], [100, 0, 0], [100, edge, 0]]);
+        window.ask("new", json!({}));
+        window.ask(
+            "edit",
+            json!({"request": {"edit": "draw", "from": null, "through_mm": through, "to": null}}),
+        );
+        let check = window.ask("check", json!({"moved": []}));
+        assert_eq!(check["feasible"], json!(fits), "{edge}: {check}");
+    }
+}

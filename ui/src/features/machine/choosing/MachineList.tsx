@@ -8,6 +8,7 @@ import { useDesign } from "../../../state/design/design";
 import { type ComparedIn, compareWith, stopComparing, useMachines, viewOf } from "../../../state/machine/machines";
 import { MachinePicture } from "../picture/MachinePicture";
 import { Comparison } from "./Comparison";
+import { besideBend } from "./fit";
 
 /** "±155°" where both sides are the same. */
 export function range([low, high]: readonly [number, number]): string {
@@ -65,6 +66,7 @@ function MachineCard({
         <span className="machine-card-name">{machine.name}</span>
         <span className="muted small">
           bend {range(machine.bend_deg)} · edge ≥ {length(machine.min_edge_mm)}
+          {besideBend(view, length)}
         </span>
         <span className="muted small">
           wire {bare(thin)} to {bare(thick)} {name}

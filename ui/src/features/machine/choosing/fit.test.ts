@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { MachineEntry, MaterialEntry } from "../../../generated/responses";
-import { figures, misfit } from "./fit";
+import { besideBend, figures, misfit } from "./fit";
 
 const material: MaterialEntry = {
   id: "aluminium",
@@ -66,4 +66,13 @@ describe("figures", () => {
       "springback 5.0°, estimated",
     ]);
   });
+});
+
+it("names what an edge beside a bend needs, rounded up so that it does, where that is more", () => {
+  const mm = (value: number) => `${value.toFixed(1)} mm`;
+  const of = (between: number | null) => besideBend({ min_edge_mm: 20.4, min_edge_between_mm: between }, mm);
+  expect(of(24.92)).toBe(" (25.0 mm beside a bend of 90°)");
+  expect(of(20.4)).toBe("");
+  expect(of(null)).toBe("");
+  expect(besideBend(null, mm)).toBe("");
 });

@@ -1,6 +1,6 @@
 /** Whether a wire fits a machine, and what is known of it. */
 
-import type { MachineEntry, MaterialEntry } from "../../../generated/responses";
+import type { MachineEntry, MachineViewResponse, MaterialEntry } from "../../../generated/responses";
 import { type DisplayUnit, length, money, number } from "../../../shared/figures/format";
 
 /** Why a wire does not fit a machine; null where it does, or where no machine is chosen. */
@@ -35,4 +35,17 @@ export function figures(material: MaterialEntry, unit: DisplayUnit): readonly Fi
       `${least === most ? least : `${least}° to ${most}`}°, ${material.springback_measured ? "measured" : "estimated"}`,
     ],
   ];
+}
+
+/** " (25.0 mm beside a bend of 90°)", where that is more: the bend takes its part of the edge, and the feed has a limit too. */
+export function besideBend(
+  view: Pick<MachineViewResponse, "min_edge_mm" | "min_edge_between_mm"> | null,
+  length: (mm: number) => string,
+): string {
+  const mm = view?.min_edge_between_mm ?? null;
+  // Rounded up: an edge of what is named has to do.
+  const shown = mm === null ? null : length(Math.ceil(mm * 10 - 1e-6) / 10);
+  return view === null || shown === null || shown === length(view.min_edge_mm)
+    ? ""
+    : ` (${shown} beside a bend of 90°)`;
 }

@@ -8,6 +8,7 @@ import { Line } from "../../../shared/lists/Line";
 import { openCalibration } from "../../../state/calibration/calibration";
 import { useMachines, viewOf } from "../../../state/machine/machines";
 import { openProfile } from "../../../state/machine/profile";
+import { besideBend } from "../choosing/fit";
 import { range } from "../choosing/MachineList";
 import { Fold } from "../Fold";
 import { MachineSettings } from "../settings/MachineSettings";
@@ -82,7 +83,7 @@ function Figures({ view }: { readonly view: MachineViewResponse }) {
   const rows: readonly (readonly [string, string])[] = [
     ["Bend", range(view.bend_deg)],
     ["Rotation", range(view.rotation_deg)],
-    ["Shortest edge", length(view.min_edge_mm)],
+    ["Shortest edge", length(view.min_edge_mm) + besideBend(view, length)],
     ["Shortest feed", length(view.min_feed_mm)],
     ["Wire", `${bare(view.diameter_mm[0])} to ${length(view.diameter_mm[1])}`],
     ["Stock", view.max_stock_mm === null ? "any length" : `at most ${long(view.max_stock_mm)}`],
