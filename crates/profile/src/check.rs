@@ -59,6 +59,25 @@ impl Library {
         check(self.clone(), layer)
     }
 
+    /// As [`Library::check`], of a profile that is passed on in a file of any name, on its own or with others. Lines are those of `text`.
+    ///
+    /// # Errors
+    /// All rules that the text breaks; what keeps it from being read hides the rest.
+    pub fn check_shared(&self, file: &str, text: &str) -> Result<Checked, Vec<ProfileError>> {
+        let layer = Layer::read_shared(file, text.as_bytes(), false).map_err(|error| vec![error])?;
+        check(self.clone(), layer)
+    }
+
+    /// As [`Library::with`], of a profile that is passed on in a file of any name, on its own or with others.
+    ///
+    /// # Errors
+    /// The first thing that makes the text no profile.
+    pub fn with_shared(&self, file: &str, text: &str) -> Result<Self, ProfileError> {
+        let mut library = self.clone();
+        library.replace(Layer::read_shared(file, text.as_bytes(), false)?);
+        Ok(library)
+    }
+
     /// This library with the text of a profile more, which takes the place of one with its id.
     ///
     /// # Errors

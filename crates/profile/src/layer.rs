@@ -32,6 +32,13 @@ impl Layer {
     /// # Errors
     /// The first thing that makes the file no profile, with its line.
     pub(crate) fn read(file: &str, bytes: &[u8], shipped: bool) -> Result<Self, ProfileError> {
+        let layer = Self::read_shared(file, bytes, shipped)?;
+        layer.check_file_name()?;
+        Ok(layer)
+    }
+
+    /// As [`Self::read`], of a file that is passed on under any name, or that has other profiles in it as well.
+    pub(crate) fn read_shared(file: &str, bytes: &[u8], shipped: bool) -> Result<Self, ProfileError> {
         if bytes.len() > MAX_FILE_BYTES {
             return Err(ProfileError::TooLarge { file: file.into(), limit: MAX_FILE_BYTES });
         }
@@ -79,6 +86,11 @@ impl Layer {
         if !is_slug(&id) {
             return Err(ProfileError::BadId { place, id });
         }
+        Ok(())
+    }
+
+    fn check_file_name(&self) -> Result<(), ProfileError> {
+        let (place, id) = (self.place("id"), self.id.clone());
         let name = self.file.rsplit(['/', '\\']).next().unwrap_or(&self.file);
         if name.strip_suffix(".json") != Some(&id) {
             return Err(ProfileError::IdNotFileName { place, id });

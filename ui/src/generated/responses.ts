@@ -4666,9 +4666,17 @@ export interface ProfileImportResponse {
   id: string;
   kind: Kind;
   /**
+   * Whether it was there already, with nothing different: then nothing was written.
+   */
+  known: boolean;
+  /**
    * Its name for people.
    */
   name: string;
+  /**
+   * The name that it has in the file, where another profile here is called so.
+   */
+  own_name: string | null;
   /**
    * Other profiles that came with it, under the ids that they have here.
    */

@@ -88,6 +88,17 @@ pub(super) fn exported(out: &mut impl Write, found: &ProfileExportResponse) -> s
 
 pub(super) fn imported(out: &mut impl Write, found: &ProfileImportResponse) -> std::io::Result<()> {
     let with = with(&found.with);
+    if found.known {
+        let (file, kind, id) = (found.file.display(), found.kind, &found.id);
+        return writeln!(out, "nothing to import: {file} is the same ({kind} '{id}'{with})");
+    }
+    if let Some(name) = &found.own_name {
+        writeln!(
+            out,
+            "note: another {} is called \"{name}\": this one is \"{}\" here",
+            found.kind, found.name
+        )?;
+    }
     writeln!(out, "wrote {} ({} '{}'{with})", found.file.display(), found.kind, found.id)
 }
 

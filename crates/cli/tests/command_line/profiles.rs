@@ -161,7 +161,8 @@ fn a_profile_goes_from_one_person_to_another() {
     };
     let said = import(&[]).ended(0).err;
     assert!(said.contains("machines/second.json (machine 'second')"), "{said}");
-    assert!(import(&[]).ended(2).err.contains("'second'"), "it is there already");
+    let again = import(&[]).ended(0).err;
+    assert!(again.contains("nothing to import") && again.contains("'second'"), "{again}");
     let imported = import(&["--id", "theirs", "--json"]).ended(0).json();
     assert_fits("profile-import", &imported);
     let of = |folder: &Path, id: &str| {
@@ -192,6 +193,28 @@ fn a_profile_goes_from_one_person_to_another() {
     }
     let said = run_in(theirs.path(), &["profile", "import", "missing.json"], b"").ended(3).err;
     assert!(said.contains("missing.json"), "{said}");
+}
+
+/// A file that was exported with its wire is checked whole, and what is wrong in the wire is on its line.
+#[test]
+fn a_file_with_several_profiles_is_checked_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    let set = |kind: &str, id: &str, from: &str, value: &str| {
+        let how = ["--kind", kind, "--source", "caliper", "--measured"];
+        run(&[&["profile", "set", id, "--from", from, value], &how[..]].concat()).ended(0)
+    };
+    set("material", "spool", "aluminium-6061-t6-3mm", "diameter_mm=3.05");
+    set("machine", "mine", "wirebend-kit", "default_material=\"spool\"");
+    run(&["profile", "export", "mine", "--kind", "machine", "-o", "for-you.json"]).ended(0);
+    let said = run(&["profile", "check", "for-you.json"]).ended(0).err;
+    assert!(said.contains("for-you.json: ok (machine 'mine'"), "{said}");
+    let text = read(folder.path(), "for-you.json");
+    let wrong = text.replace("3.05", "-3.05");
+    let line = wrong.lines().position(|line| line.contains("-3.05")).unwrap() + 1;
+    std::fs::write(folder.path().join("wrong.json"), wrong).unwrap();
+    let said = run(&["profile", "check", "wrong.json"]).ended(3).err;
+    assert!(said.contains(&format!("wrong.json:{line}:")) && said.contains("diameter_mm"), "{said}");
 }
 
 /// Signs, choices, bodies and springback take a source from the command as figures do: nothing has to be written by hand.

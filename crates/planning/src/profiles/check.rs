@@ -7,8 +7,9 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use wirebend_driver_host::HostError;
 use wirebend_error::ProblemReport;
-use wirebend_profile::{Checked, Place, ProfileError, check_file};
+use wirebend_profile::{Checked, Library, Place, ProfileError, check_file};
 
+use super::share::Parts;
 use crate::{ExportFormat, Installation, PlanningError, Progress};
 
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -115,11 +116,40 @@ impl Installation {
 
     /// Everything that is asked of a profile's file.
     fn examined(&self, file: &Path) -> Result<(Checked, Vec<String>), Vec<ProfileError>> {
-        let checked = check_file(file)?;
         let text = std::fs::read_to_string(file).unwrap_or_default();
+        let parts = Parts::of(&text);
+        if !parts.others.is_empty() {
+            return self.examined_shared(&file.display().to_string(), &parts);
+        }
+        let checked = check_file(file)?;
         let notes = self.asked_of_drivers(&checked, &file.display().to_string(), &text);
         let notes = notes.map_err(|error| vec![error])?;
         Ok((checked, notes))
+    }
+
+    /// Of a file with several profiles: all of them, each on the lines that it has there.
+    fn examined_shared(
+        &self,
+        file: &str,
+        parts: &Parts,
+    ) -> Result<(Checked, Vec<String>), Vec<ProfileError>> {
+        let mut library = Library::shipped().map_err(|error| vec![error])?;
+        let mut errors = Vec::new();
+        for text in &parts.others {
+            match library.check_shared(file, text) {
+                Ok(_) => library = library.with_shared(file, text).map_err(|error| vec![error])?,
+                Err(found) => errors.extend(found),
+            }
+        }
+        match library.check_shared(file, &parts.own) {
+            Ok(checked) if errors.is_empty() => {
+                let notes = self.asked_of_drivers(&checked, file, &parts.own).map_err(|error| vec![error])?;
+                Ok((checked, notes))
+            }
+            Err(found) if errors.is_empty() => Err(found),
+            // Where another profile of the file is refused, the machine that names it is, too: that would be said twice.
+            _ => Err(errors),
+        }
     }
 }
 

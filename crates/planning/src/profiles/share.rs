@@ -1,13 +1,15 @@
 //! A profile as one file that another person can use, and such a file taken in. The file has with it what the profile names of the
 //! person's own, such as the wire of a machine with its springback.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use serde_json::value::RawValue;
 use serde_json::{Map, Value};
 use wirebend_files::read::read_file;
-use wirebend_profile::{Kind, ProfileError};
+use wirebend_profile::{Kind, Listing, ProfileError};
 
 use super::own::OwnProfile;
 use crate::output::Output;
@@ -65,6 +67,10 @@ pub struct ProfileImportResponse {
     pub kind: Kind,
     /// Its name for people.
     pub name: String,
+    /// The name that it has in the file, where another profile here is called so.
+    pub own_name: Option<String>,
+    /// Whether it was there already, with nothing different: then nothing was written.
+    pub known: bool,
     /// Where it is now.
     pub file: PathBuf,
     /// Other profiles that came with it, under the ids that they have here.
@@ -123,6 +129,7 @@ fn portable(
 
 /// Takes a file in as a profile of the person's own, under its own id or another one. Refused as a new profile is, where the
 /// id is taken or the file cannot be used. What comes with it is taken in too, under another id where its own is another profile's.
+/// What is there already is left as it is, and nothing is taken in twice.
 pub fn import(
     app: &Installation,
     file: &Path,
@@ -134,63 +141,96 @@ pub fn import(
         file: name.clone(),
         byte: error.utf8_error().valid_up_to(),
     })?;
-    let (text, others) = apart(&text);
-    let mut values = as_profile(app, &name, &text)?;
-    if let Some(id) = id {
-        values.insert("id".to_owned(), id.into());
-    }
-    let id = values.get("id").and_then(Value::as_str).unwrap_or_default().to_owned();
+    let parts = Parts::of(&text);
+    let mut values = as_profile(app, &name, &parts.own)?;
     let kind = kind_of(&values)?;
-    // Refused before anything is written.
-    app.check_free(kind, &id, None)?;
     let mut app = app.with_library(app.library.clone());
     let (mut with, mut new) = (Vec::new(), Vec::new());
-    for other in &others {
-        let other = as_profile(&app, &name, &other.to_string())?;
+    for text in &parts.others {
+        let mut other = as_profile(&app, &name, text)?;
         let (other_kind, own_id) = (kind_of(&other)?, text_of(&other, "id"));
         let shared = match app.place_of(other_kind, &own_id, &other)? {
-            SharedPlace::Known => own_id.clone(),
+            SharedPlace::Known(id) => id,
             SharedPlace::Free(id) => {
-                let mut renamed = other;
-                renamed.insert("id".to_owned(), id.as_str().into());
-                let own = OwnProfile::taken_in(&app, other_kind, &id, renamed, folder)?;
-                own.check(&app)?;
+                app.rename(&mut other, other_kind, &id);
+                let own = OwnProfile::taken_in(&app, other_kind, &id, other, folder)?;
+                own.check(&app).map_err(|error| app.located(error, &name, text))?;
                 app = app.with_profile(&own)?;
                 new.push(own);
                 id
             }
         };
-        rename(&mut values, other_kind, &own_id, &shared);
+        point_to(&mut values, other_kind, &own_id, &shared);
         with.push(SharedProfile { kind: other_kind, id: shared });
     }
+    let own_id = text_of(&values, "id");
+    if id.is_none()
+        && let Some(listing) = app.same_as(kind, &own_id, &values)?
+    {
+        let file = PathBuf::from(&listing.file);
+        let (id, name) = (listing.id, listing.name);
+        return Ok(ProfileImportResponse { id, kind, name, own_name: None, known: true, file, with });
+    }
+    let id = id.map_or(own_id, str::to_owned);
+    app.check_free(kind, &id, None)?;
+    let own_name = app.rename(&mut values, kind, &id);
     let own = OwnProfile::taken_in(&app, kind, &id, values, folder)?;
-    own.check(&app)?;
+    own.check(&app).map_err(|error| app.located(error, &name, &parts.own))?;
     let app = app.with_profile(&own)?;
     let listed = app.library.list(kind).into_iter().find(|listing| listing.id == id);
     let name = listed.map_or_else(|| id.clone(), |listing| listing.name);
     // What it names is there before it.
     new.into_iter().try_for_each(|own| own.save().map(drop))?;
-    Ok(ProfileImportResponse { id, kind, name, file: own.save()?, with })
+    Ok(ProfileImportResponse { id, kind, name, own_name, known: false, file: own.save()?, with })
 }
 
-/// The text of the profile itself, and the others that are in the file. A text that is no JSON stays as it is, to be refused with its line.
-fn apart(text: &str) -> (String, Vec<Value>) {
-    let parsed = serde_json::from_str::<Map<String, Value>>(text.trim_start_matches('\u{feff}'));
-    let Ok(mut values) = parsed else { return (text.to_owned(), Vec::new()) };
-    match values.remove(WITH) {
-        Some(Value::Array(others)) => (Value::from(values).to_string(), others),
-        _ => (text.to_owned(), Vec::new()),
+/// The profiles of one file, each as a text in which everything is on the line that it has in the file.
+pub(super) struct Parts {
+    pub own: String,
+    pub others: Vec<String>,
+}
+
+impl Parts {
+    /// A text that is no JSON stays as it is, to be refused with its line.
+    pub fn of(text: &str) -> Self {
+        let text = text.trim_start_matches('\u{feff}');
+        Self::apart(text).unwrap_or_else(|| Self { own: text.to_owned(), others: Vec::new() })
     }
+
+    fn apart(text: &str) -> Option<Self> {
+        let values: BTreeMap<String, &RawValue> = serde_json::from_str(text).ok()?;
+        let list = values.get(WITH)?.get();
+        let others: Vec<&RawValue> = serde_json::from_str(list).ok()?;
+        // A raw value is a part of the text that it was read from.
+        let at = |raw: &str| raw.as_ptr().addr() - text.as_ptr().addr();
+        let (begin, end) = (at(list), at(list) + list.len());
+        let key = text[..begin].rfind(&format!("\"{WITH}\""))?;
+        let before = text[..key].trim_end();
+        let after = text[end..].trim_start();
+        let (from, to) = match (before.strip_suffix(','), after.strip_prefix(',')) {
+            (Some(before), _) => (before.len(), end),
+            (None, Some(after)) => (key, text.len() - after.len()),
+            (None, None) => (key, end),
+        };
+        let own = [&text[..from], &blank(&text[from..to]), &text[to..]].concat();
+        let others = others.into_iter().map(|raw| {
+            let raw = raw.get();
+            blank(&text[..at(raw)]) + raw
+        });
+        Some(Self { own, others: others.collect() })
+    }
+}
+
+/// A text of spaces with the same lines.
+fn blank(text: &str) -> String {
+    text.chars().map(|letter| if letter == '\n' { letter } else { ' ' }).collect()
 }
 
 /// The values of a text that is a profile. What its file is called does not matter.
 fn as_profile(app: &Installation, name: &str, text: &str) -> Result<Map<String, Value>, PlanningError> {
     // What is no profile is refused with its line: from here on it has a kind and an id.
-    match app.library.with(name, text) {
-        Ok(_) | Err(ProfileError::IdNotFileName { .. }) => {}
-        Err(error) => return Err(error.into()),
-    }
-    Ok(serde_json::from_str(text.trim_start_matches('\u{feff}'))?)
+    app.library.with_shared(name, text)?;
+    Ok(serde_json::from_str(text)?)
 }
 
 fn kind_of(values: &Map<String, Value>) -> Result<Kind, PlanningError> {
@@ -202,7 +242,7 @@ fn text_of(values: &Map<String, Value>, key: &str) -> String {
 }
 
 /// Has a profile name another one by the id that it has here.
-fn rename(values: &mut Map<String, Value>, kind: Kind, from: &str, to: &str) {
+fn point_to(values: &mut Map<String, Value>, kind: Kind, from: &str, to: &str) {
     let key = if kind == Kind::Noise { "error" } else { "default_material" };
     let Some(named) = values.get_mut(key) else { return };
     let named = match named {
@@ -214,10 +254,16 @@ fn rename(values: &mut Map<String, Value>, kind: Kind, from: &str, to: &str) {
     }
 }
 
+/// A name without the number that tells it from others of the same name.
+fn without_number(name: &str) -> &str {
+    let numbered = name.strip_suffix(')').and_then(|name| name.rsplit_once(" ("));
+    numbered.filter(|(_, number)| number.parse::<u32>().is_ok()).map_or(name, |(name, _)| name)
+}
+
 /// Where a profile that comes with another one goes.
 enum SharedPlace {
-    /// The same profile is there already.
-    Known,
+    /// The same profile is there already, under this id.
+    Known(String),
     /// Under this id.
     Free(String),
 }
@@ -230,15 +276,71 @@ impl Installation {
         id: &str,
         values: &Map<String, Value>,
     ) -> Result<SharedPlace, PlanningError> {
-        let taken: Vec<String> = self.library.list(kind).into_iter().map(|listing| listing.id).collect();
-        if taken.iter().any(|taken| taken == id) {
-            let there: Value = serde_json::from_str(&self.library.portable_text(kind, id)?)?;
-            if there.as_object() == Some(values) {
-                return Ok(SharedPlace::Known);
-            }
+        if let Some(known) = self.same_as(kind, id, values)? {
+            return Ok(SharedPlace::Known(known.id));
         }
+        let taken: Vec<String> = self.library.list(kind).into_iter().map(|listing| listing.id).collect();
         let numbered = (2..).map(|number| format!("{id}-{number}"));
         let mut ids = std::iter::once(id.to_owned()).chain(numbered);
         Ok(SharedPlace::Free(ids.find(|id| !taken.contains(id)).unwrap_or_default()))
+    }
+
+    /// A profile that is the same but for the id and for the number behind its name, which it may have got when it was taken in.
+    fn same_as(
+        &self,
+        kind: Kind,
+        id: &str,
+        values: &Map<String, Value>,
+    ) -> Result<Option<Listing>, PlanningError> {
+        let plain = |values: &Map<String, Value>| {
+            let mut plain = values.clone();
+            let name = text_of(values, "name");
+            plain.insert("name".to_owned(), without_number(&name).into());
+            plain.remove("id");
+            plain.remove("$schema");
+            plain
+        };
+        let wanted = plain(values);
+        let mut listed = self.library.list(kind);
+        // That of the same id is the likeliest.
+        listed.sort_by_key(|listing| listing.id != id);
+        for listing in listed {
+            let there: Value = serde_json::from_str(&self.library.portable_text(kind, &listing.id)?)?;
+            if there.as_object().is_some_and(|there| plain(there) == wanted) {
+                return Ok(Some(listing));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Gives a profile its id here, and a number behind its name where another one is called so. Gives the name that it had, if it got
+    /// another one.
+    fn rename(&self, values: &mut Map<String, Value>, kind: Kind, id: &str) -> Option<String> {
+        values.insert("id".to_owned(), id.into());
+        let name = text_of(values, "name");
+        let taken: Vec<String> = self.library.list(kind).into_iter().map(|listing| listing.name).collect();
+        if name.is_empty() || !taken.contains(&name) {
+            return None;
+        }
+        let plain = without_number(&name);
+        // One more than there are names is enough to find a free one.
+        let mut numbers = 2..taken.len() + 3;
+        let free = numbers.find_map(|number| {
+            let name = format!("{plain} ({number})");
+            (!taken.contains(&name)).then_some(name)
+        });
+        values.insert("name".to_owned(), free.unwrap_or_default().into());
+        Some(name)
+    }
+
+    /// An error of the copy that is not written, with its line in the file that the person has.
+    fn located(&self, error: PlanningError, file: &str, text: &str) -> PlanningError {
+        match self.library.check_shared(file, text) {
+            Err(found) => {
+                found.into_iter().map(PlanningError::from).find(|found| found.code() == error.code())
+            }
+            Ok(_) => None,
+        }
+        .unwrap_or(error)
     }
 }

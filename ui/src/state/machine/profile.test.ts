@@ -18,6 +18,7 @@ import { designState } from "../testing";
 import {
   closeProfile,
   enterSource,
+  importedPhrase,
   importProfile,
   measuredToday,
   openProfile,
@@ -93,8 +94,23 @@ it("keeps why a value was refused with the value, until the next is set", async 
 it("says whether another id would help a file that is not taken in", async () => {
   ask.mockRejectedValueOnce(new (Refused as unknown as new (code: string) => Error)("id-taken"));
   expect(await importProfile("/a.json", null)).toEqual({ problem: "id-taken", taken: true });
-  ask.mockResolvedValueOnce({ kind: "machine", id: "b", name: "B", with: [{ kind: "material", id: "spool-2" }] });
-  expect(await importProfile("/a.json", "b")).toEqual({ name: "B", others: ["spool-2"] });
+  ask.mockResolvedValueOnce({
+    kind: "machine",
+    id: "b",
+    name: "B (2)",
+    own_name: "B",
+    known: false,
+    with: [{ kind: "material", id: "spool-2" }],
+  });
+  const taken = await importProfile("/a.json", "b");
+  expect(taken).toEqual({ name: "B (2)", ownName: "B", known: false, others: ["spool-2"] });
+});
+
+it("tells apart what was taken in, under another name too, from what was there already", () => {
+  const taken = { name: "B (2)", ownName: "B", known: false, others: ["spool-2"] };
+  expect(importedPhrase(taken)).toBe("“B (2)” is one of your profiles now, with spool-2. Another one is called “B”.");
+  const known = { name: "B", ownName: null, known: true, others: ["spool"] };
+  expect(importedPhrase(known)).toBe("“B” is one of your profiles already: the file is the same.");
 });
 
 const headOf = (orbit: number) => ({

@@ -193,17 +193,33 @@ export function takeBackLast(): Promise<boolean> {
   );
 }
 
+/** A profile that was taken in. */
+export interface Imported {
+  readonly name: string;
+  /** Its name in the file, where another profile here is called so. */
+  readonly ownName: string | null;
+  /** Whether it was there already. */
+  readonly known: boolean;
+  readonly others: readonly string[];
+}
+
+/** What to say of it. */
+export function importedPhrase({ name, ownName, known, others }: Imported): string {
+  if (known) return `“${name}” is one of your profiles already: the file is the same.`;
+  const why = ownName === null ? "" : ` Another one is called “${ownName}”.`;
+  return `“${name}” is one of your profiles now${others.length > 0 ? `, with ${others.join(" and ")}` : ""}.${why}`;
+}
+
 /** Takes a profile in from a file. Gives why not, with whether another id would help. */
 export async function importProfile(
   file: string,
   id: string | null,
-): Promise<
-  { readonly name: string; readonly others: readonly string[] } | { readonly problem: string; readonly taken: boolean }
-> {
+): Promise<Imported | { readonly problem: string; readonly taken: boolean }> {
   try {
     const taken = await platform.ask("import-profile", { file, ...(id === null ? {} : { id }) });
     profilesChanged(null);
-    return { name: taken.name, others: taken.with.map((other) => other.id) };
+    const { name, own_name: ownName, known } = taken;
+    return { name, ownName, known, others: taken.with.map((other) => other.id) };
   } catch (error) {
     const taken = error instanceof Refused && error.refusal.code === "id-taken";
     return { problem: messageOf(error), taken };

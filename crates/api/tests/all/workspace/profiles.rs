@@ -129,9 +129,22 @@ fn a_profile_goes_to_another_computer_as_one_file() {
     };
     assert_eq!(plain(&view), plain(&mine));
     assert_eq!(view["profile"]["chain"][1]["id"], "wirebend-kit");
-    assert_eq!(other.try_ask("import-profile", import).unwrap_err().code, "id-taken");
+    assert_eq!(taken["known"], json!(false));
+    // Nothing differs: it is there already, and there is no second one.
+    let again = other.ask("import-profile", import.clone());
+    assert_eq!(
+        [&again["known"], &again["id"], &again["file"]],
+        [&json!(true), &json!("mine"), &taken["file"]]
+    );
+    // Who wants another one all the same can tell them apart.
     let taken = other.ask("import-profile", json!({"file": file, "id": "second"}));
-    assert_eq!(taken["id"], "second");
+    let told = ["id", "name", "own_name"].map(|key| taken[key].clone());
+    assert_eq!(told, [json!("second"), json!("mine (2)"), json!("mine")]);
+    let asked = json!({"kind": "machine", "id": "mine", "source": "caliper", "measured": true,
+        "values": [{"key": "bend.orbit_radius_mm", "value": 21.0}]});
+    other.ask("set-profile", asked);
+    let known = other.ask("import-profile", import.clone());
+    assert_eq!([&known["known"], &known["id"]], [&json!(true), &json!("second")], "the copy is the same");
     // A file that is no profile is none, whatever it is called.
     std::fs::write(&file, "{\"kind\": \"cat\"}").unwrap();
     assert_eq!(
@@ -193,6 +206,12 @@ fn a_machine_is_passed_on_with_its_own_wire() {
     assert_eq!((wire_of(&other, "third"), wire_of(&other, "mine")), ("spool-2".into(), "spool".into()));
     assert_eq!(loss_of(&other, "spool")["value"], 4.0);
     assert_eq!(loss_of(&other, "spool-2")["value"], 9.25);
+    let name =
+        other.ask("profile-view", json!({"kind": "material", "id": "spool-2"}))["profile"]["name"].clone();
+    assert_eq!(name, "spool (2)", "both would be called alike in every list");
+    // Not once more under a third id.
+    let taken = other.ask("import-profile", json!({"file": file, "id": "fourth"}));
+    assert_eq!(taken["with"], json!([{"kind": "material", "id": "spool-2"}]));
 
     // Alone it names a wire that others have not; a file with a wrong wire is refused as a whole.
     assert_eq!(export(true, &file)["with"], json!([]));
@@ -202,9 +221,20 @@ fn a_machine_is_passed_on_with_its_own_wire() {
         "profile-unknown-reference"
     );
     export(false, &file);
-    let text = std::fs::read_to_string(&file).unwrap().replace("9.25", "-9.25");
-    std::fs::write(&file, text).unwrap();
-    assert_eq!(third.try_ask("import-profile", json!({"file": file})).unwrap_err().code, "profile-rule");
+    let exported = std::fs::read_to_string(&file).unwrap();
+    let (before, after) = exported.rsplit_once("\"name\":").unwrap();
+    let with_a_wrong_key = format!("{before}\"nom\":{after}");
+    // What is wrong in the wire is found by its line in the file that the person has: a rule that is broken, and a key that is none.
+    for (wrong, code) in
+        [(exported.replace("9.25", "-9.25"), "profile-rule"), (with_a_wrong_key, "profile-shape")]
+    {
+        let changed = wrong.lines().zip(exported.lines()).position(|(a, b)| a != b).unwrap() + 1;
+        assert!(changed > 10, "the wire stands behind the machine");
+        std::fs::write(&file, wrong).unwrap();
+        let refused = third.try_ask("import-profile", json!({"file": file})).unwrap_err();
+        assert_eq!(refused.code, code, "{}", refused.message);
+        assert!(refused.message.contains(&format!("mine.json:{changed}:")), "{changed}: {}", refused.message);
+    }
     assert_eq!(
         third.try_ask("profile-view", json!({"kind": "material", "id": "spool"})).unwrap_err().code,
         "profile-unknown"

@@ -4,7 +4,7 @@ import { Button } from "../../../shared/controls/Button";
 import { Field } from "../../../shared/controls/Field";
 import { TextInput } from "../../../shared/controls/inputs";
 import { tell, told } from "../../../state/asking/problems";
-import { importProfile } from "../../../state/machine/profile";
+import { importedPhrase, importProfile } from "../../../state/machine/profile";
 import { slugProblem } from "./slug";
 
 export const PROFILES = { name: "Profiles", extensions: ["json"] } as const;
@@ -22,8 +22,7 @@ export function ImportProfile() {
   const take = async (path: string, as: string | null) => {
     const found = await importProfile(path, as);
     if ("name" in found) {
-      const others = found.others.length > 0 ? `, with ${found.others.join(" and ")}` : "";
-      tell("info", `“${found.name}” is one of your profiles now${others}.`, "import-profile");
+      tell("info", importedPhrase(found), "import-profile");
       done();
     } else setProblem({ text: found.problem, taken: found.taken });
   };
