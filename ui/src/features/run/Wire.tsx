@@ -24,13 +24,17 @@ export function Wire({ state }: { readonly state: MachineState }) {
   const { length, long } = useLengths();
   const [chosen, setChosen] = useState(0);
   const [accept, setAccept] = useState(false);
-  const [anyway, setAnyway] = useState(false);
+  const version = useDesign((design) => design.version);
+  const [wanted, setWanted] = useState<{ readonly version: number; readonly file: unknown } | null>(null);
   const [pieces, setPieces] = useState(1);
   const [stockMm, setStock] = useState<number | null>(null);
   const otherWire = useOtherWire();
   const prospect = useProspect();
   const all = buttons(state, prospect);
   const file = useRunFile((run) => run.file);
+  // What a person wants all the same is this design, not what it becomes.
+  const anyway = wanted !== null && wanted.version === version && wanted.file === file;
+  const setAnyway = (on: boolean) => setWanted(on ? { version, file } : null);
   const wires = file ? file.wires : (check?.wires ?? []);
   const wire = Math.min(chosen, Math.max(wires.length - 1, 0));
   const needsAccept =
