@@ -23,7 +23,7 @@ import { gradientOf } from "../frame/ramp";
 import { displacement, exactness } from "../frame/words";
 import { Part } from "../panel/Section";
 import { PredictButton } from "./PredictButton";
-import { bends, farthest, sources, widest } from "./spread";
+import { bends, farthest, hottest, sources, widest } from "./spread";
 import { VertexAccuracy } from "./VertexAccuracy";
 
 /** So many bends are named. */
@@ -157,7 +157,8 @@ function Results({ prediction }: { readonly prediction: Prediction }) {
           <div className="predict-ramp" style={{ background: gradientOf("rising") }} />
           <div className="predict-ends">
             <span>0</span>
-            <span>{displacement(far.radius, unit)}</span>
+            <span>Colour: off on average</span>
+            <span>{displacement(hottest(prediction), unit)}</span>
           </div>
         </div>
       )}

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Prediction } from "../../generated/responses";
-import { ballsOf, bends, byVertex, farthest, playedBallsOf, radii, sources, widest } from "./spread";
+import { rising } from "../frame/ramp";
+import { ballsOf, bends, byVertex, farthest, hottest, playedBallsOf, scatters, sources, widest } from "./spread";
 
 const vertex = (vertex: number, mean_mm: number, radius_95_mm: number) => ({
   vertex,
@@ -63,13 +64,14 @@ describe("how far vertices scatter", () => {
   });
 
   it("counts the pass of a vertex that scatters most", () => {
-    expect(radii(prediction)).toEqual(
+    expect(scatters(prediction)).toEqual(
       new Map([
-        [0, 4],
-        [1, 2],
-        [2, 0],
+        [0, { mean: 2, radius: 4 }],
+        [1, { mean: 1, radius: 2 }],
+        [2, { mean: 0, radius: 0 }],
       ]),
     );
+    expect(hottest(prediction)).toBe(2);
   });
 
   it("is drawn as balls around the vertices that are there, and none where one is in place", () => {
@@ -77,7 +79,7 @@ describe("how far vertices scatter", () => {
       [0, { id: 0, at: [0, 0, 0] as const, support: false }],
       [2, { id: 2, at: [9, 0, 0] as const, support: false }],
     ]);
-    expect(ballsOf(prediction, vertices)).toMatchObject([{ at: [0, 0, 0], radius: 4 }]);
+    expect(ballsOf(prediction, vertices)).toEqual([{ at: [0, 0, 0], radius: 4, colour: rising(1) }]);
   });
 
   it("follows one wire in its order, with what it scatters at each pass and the wire up to there", () => {
@@ -87,7 +89,8 @@ describe("how far vertices scatter", () => {
     ]);
     const [first, second, ...rest] = playedBallsOf(prediction, 0, vertices);
     expect(rest).toEqual([]);
-    expect(first).toMatchObject({ at: [30, 40, 0], radius: 2, along: 50 });
+    // The colour is that of the mean: half as hot as the vertex that is off by 2 mm on average.
+    expect(first).toEqual({ at: [30, 40, 0], radius: 2, along: 50, colour: rising(0.5) });
     expect(second).toMatchObject({ at: [0, 0, 0], radius: 4, along: 100 });
     // Colours say the same of every wire.
     expect(second?.colour).toEqual(ballsOf(prediction, vertices)[0]?.colour);

@@ -5,20 +5,33 @@ import type { PlayedBall, SceneBall, SceneVertex } from "../../scene/interface";
 import { distance } from "../../state/design/geometry";
 import { rising } from "../frame/ramp";
 
-/** The distance that 95 % of the wires keep within, by vertex: of one that is passed more than once the largest. */
-export function radii({ wires }: Prediction): Map<number, number> {
-  const found = new Map<number, number>();
+/** How far a vertex is off: on average, and in 95 % of the wires at most. */
+interface Scatter {
+  readonly mean: number;
+  readonly radius: number;
+}
+
+/** How far the vertices are off, by vertex: of one that is passed more than once the largest figures. */
+export function scatters({ wires }: Prediction): Map<number, Scatter> {
+  const found = new Map<number, Scatter>();
   for (const { vertices } of wires)
-    for (const { vertex, radius_95_mm } of vertices) found.set(vertex, Math.max(found.get(vertex) ?? 0, radius_95_mm));
+    for (const { vertex, mean_mm, radius_95_mm } of vertices) {
+      const { mean, radius } = found.get(vertex) ?? { mean: 0, radius: 0 };
+      found.set(vertex, { mean: Math.max(mean, mean_mm), radius: Math.max(radius, radius_95_mm) });
+    }
   return found;
 }
 
+/** The largest distance that a vertex is off on average, which has the hottest colour. */
+export const hottest = (prediction: Prediction): number =>
+  Math.max(0, ...[...scatters(prediction).values()].map(({ mean }) => mean));
+
+/** Balls in which 95 % of the wires have a vertex, in the colour of how far it is off on average. */
 export function ballsOf(prediction: Prediction, vertices: ReadonlyMap<number, SceneVertex>): SceneBall[] {
-  const all = radii(prediction);
-  const most = Math.max(0, ...all.values());
-  return [...all].flatMap(([vertex, radius]) => {
+  const most = hottest(prediction);
+  return [...scatters(prediction)].flatMap(([vertex, { mean, radius }]) => {
     const at = vertices.get(vertex)?.at;
-    return at && radius > 0 ? [{ at, radius, colour: rising(radius / most) }] : [];
+    return at && radius > 0 ? [{ at, radius, colour: rising(mean / most) }] : [];
   });
 }
 
@@ -28,22 +41,20 @@ export function playedBallsOf(
   wire: number,
   vertices: ReadonlyMap<number, SceneVertex>,
 ): PlayedBall[] {
-  const most = Math.max(0, ...radii(prediction).values());
+  const most = hottest(prediction);
   let along = 0;
   let before: SceneVertex["at"] | null = null;
-  return (prediction.wires[wire]?.vertices ?? []).flatMap(({ vertex, radius_95_mm: radius }) => {
+  return (prediction.wires[wire]?.vertices ?? []).flatMap(({ vertex, mean_mm: mean, radius_95_mm: radius }) => {
     const at = vertices.get(vertex)?.at;
     if (!at) return [];
     along += before ? distance(before, at) : 0;
     before = at;
-    return radius > 0 ? [{ at, radius, colour: rising(radius / most), along }] : [];
+    return radius > 0 ? [{ at, radius, colour: rising(mean / most), along }] : [];
   });
 }
 
-interface Widest {
+interface Widest extends Scatter {
   readonly vertex: number;
-  readonly mean: number;
-  readonly radius: number;
 }
 
 /** How far every vertex is off on average and in 95 % of the wires, and how far its passes are apart in as many; the worst first. */

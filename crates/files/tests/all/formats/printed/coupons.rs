@@ -86,6 +86,10 @@ proptest! {
         // Two for each angle, one for each side.
         let boxes = (2 * count + 2) * repeats;
         prop_assert_eq!(sides, 2 * boxes as usize);
+        // How much wire to cut for the coupons of 35 and 140 mm.
+        for wire in ["105", "420"] {
+            prop_assert!(pages(&pdf.bytes).iter().any(|page| page.texts.iter().any(|(_, text)| text == wire)), "{}", wire);
+        }
         for page in &pages(&pdf.bytes) {
             prop_assert!(page.texts.iter().all(|([x, y], _)| *x > 0.0 && *y > 0.0 && *x < 210.0 * POINTS));
         }
