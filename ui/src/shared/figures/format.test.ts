@@ -136,6 +136,10 @@ describe("figures as a person types them", () => {
     ["5' 6 1/2\"", "inch", 1689.1],
     ["-5'6\"", "inch", -1676.4],
     ["5'", "mm", 1524],
+    // With room before it a minus takes away, as in every other sum.
+    ["5 ft - 1 in", "mm", 1498.6],
+    ["5' - 1\"", "mm", 1498.6],
+    ["5'+3\"", "mm", 1600.2],
     ["1'250 mm", "inch", 1250],
     ["1'005", "mm", 1005],
     ["5'6 mm", "mm", null],

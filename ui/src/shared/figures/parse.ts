@@ -44,7 +44,7 @@ function parseOneNumber(text: string): number | null {
 function parseSum(text: string, read: (term: string) => number | null): number | null {
   const plain = text.replace(/\u2212/g, "-").trim();
   // Behind a digit, a unit or its end: "5'-6" and "1e-3" are one term.
-  const parts = plain.split(/(?<=[\d.,a-z"\u2033°]\s*)(?<!\de)([+-])(?=\s*[\d.,])/i);
+  const parts = plain.split(/(?<=[\d.,a-z"'\u2032\u2033°]\s*)(?<!\de)([+-])(?=\s*[\d.,])/i);
   if (parts.length < 3) return null;
   let sum = 0;
   for (let at = 0; at < parts.length; at += 2) {
@@ -55,8 +55,8 @@ function parseSum(text: string, read: (term: string) => number | null): number |
   return sum;
 }
 
-/** Feet and inches: 5'6", 5' 6 1/2", 5'-6", 5 ft 6 in. The inches are fewer than a foot has: 1'250 is a number with its thousands apart. */
-const FEET = /^([+-]?)\s*(\d+)\s*(?:'|\u2032|ft)\s*-?\s*((?!\d{3})\d.*?)\s*(?:"|\u2033|in|inch|inches)?$/i;
+/** Feet and inches: 5'6", 5' 6 1/2", 5'-6", 5 ft 6 in. With room before it a minus takes away: see parseSum. The inches are fewer than a foot has: 1'250 is a number with its thousands apart. */
+const FEET = /^([+-]?)\s*(\d+)\s*(?:'|\u2032|ft)(?:-|\s*)((?!\d{3})\d.*?)\s*(?:"|\u2033|in|inch|inches)?$/i;
 
 /** mm; null where the text is no feet and inches. */
 function parseFeet(text: string): number | null {
