@@ -5,7 +5,7 @@ import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { useCollisions } from "../../state/design/collisions";
 import { useDesign } from "../../state/design/design";
-import { applyFix, avoidCollisions, moreWires, useFixes } from "../../state/design/fixes";
+import { applyFix, avoidCollisions, otherWires, useFixes } from "../../state/design/fixes";
 import { type PlayedContact, setStops, useContacts, useStops } from "../../state/program/contacts";
 import { jump } from "../../state/program/player";
 import { usePlayback } from "../../state/program/program";
@@ -71,7 +71,7 @@ function Avoid() {
     return (
       <div className="row wrap">
         <span className="small">
-          {offered.title}: {moreWires(offered)}.
+          {offered.title}: {otherWires(offered)}.
         </span>
         <Button small kind="primary" onClick={() => void applyFix(offered)}>
           Apply

@@ -6,13 +6,14 @@ import { useLengths } from "../../shared/figures/unit";
 import { useInSight } from "../../shared/lists/sight";
 import { useDesign } from "../../state/design/design";
 import { isCollision } from "../../state/design/findings";
-import { applyFix, moreWires, showFix, useFixes } from "../../state/design/fixes";
+import { applyFix, otherWires, showFix, useFixes } from "../../state/design/fixes";
 import { isFirst } from "./totals";
 
 /** What changes, in a line: "+601.4 mm · +$1.20 · +2:10"; without a route, what there is then. */
 function useChange(): (fix: Fix) => string {
   const { length, long } = useLengths();
-  return ({ change, after, errors_after }) => {
+  return (fix) => {
+    const { change, after, errors_after } = fix;
     if (isFirst(change)) {
       const parts = [
         after.length_mm !== null && length(after.length_mm),
@@ -24,6 +25,7 @@ function useChange(): (fix: Fix) => string {
       return parts.filter(Boolean).join(" · ");
     }
     const parts = [
+      otherWires(fix),
       change.length_mm !== null && Math.abs(change.length_mm) >= 0.05 && signed(change.length_mm, length),
       change.cost !== null &&
         Math.abs(change.cost) >= 0.005 &&
@@ -72,7 +74,7 @@ export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
           // biome-ignore lint/suspicious/noArrayIndexKey: the fixes of a finding come and go together
           <li key={index} className="fix">
             <div className="fix-title">{fix.title}</div>
-            <div className="muted">{[moreWires(fix), change(fix)].filter(Boolean).join(" · ")}</div>
+            <div className="muted">{change(fix)}</div>
             <div className="row">
               <Button small pressed={now} onClick={() => showFix(now ? null : fix)}>
                 Preview

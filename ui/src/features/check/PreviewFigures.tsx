@@ -2,7 +2,7 @@ import type { Fix } from "../../generated/responses";
 import { money, time } from "../../shared/figures/format";
 import { useLengths } from "../../shared/figures/unit";
 import { useDesign } from "../../state/design/design";
-import { moreWires, useFixes } from "../../state/design/fixes";
+import { otherWires, useFixes } from "../../state/design/fixes";
 import { useView } from "../../state/window/view";
 import { isFirst, totals } from "./totals";
 import "./check.css";
@@ -59,7 +59,7 @@ function Figures({ fix }: { readonly fix: Fix }) {
         </tr>
       </thead>
       <tbody>
-        {moreWires(fix) && row("Wires", check?.wires.length ?? null, null, fix.after.wires, String)}
+        {otherWires(fix) && row("Wires", check?.wires.length ?? null, null, fix.after.wires, String)}
         {row("Wire", now.length_mm, change.length_mm, fix.after.length_mm, length)}
         {row("Stock", now.stock_mm, change.stock_mm, fix.after.stock_mm, long)}
         {row("Time", now.time_s, change.time_s, fix.after.time_s, time)}

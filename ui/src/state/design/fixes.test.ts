@@ -10,7 +10,7 @@ import type { Collisions, Fix, LiveCheck } from "../../generated/responses";
 import { platform } from "../../platform";
 import type { SceneDesign } from "../../scene/interface";
 import { useDesign } from "./design";
-import { applyFix, avoidCollisions, fixesOf, moreWires, previewOf, useFixes } from "./fixes";
+import { applyFix, avoidCollisions, fixesOf, otherWires, previewOf, useFixes } from "./fixes";
 
 const design: SceneDesign = {
   vertices: new Map([0, 1, 2].map((id) => [id, { id, at: [id * 10, 0, 0] as const, support: false }])),
@@ -109,8 +109,8 @@ describe("a way without collisions that takes more wires", () => {
     await avoidCollisions();
     expect(ask).not.toHaveBeenCalledWith("edit", expect.anything());
     expect(useFixes.getState().avoiding?.offered).toBe(way);
-    expect(moreWires(way)).toBe("makes 3 wires of 1");
-    expect(moreWires({ ...way, after: { ...way.after, wires: 1 } })).toBeNull();
+    expect(otherWires(way)).toBe("3 wires instead of 1");
+    expect(otherWires({ ...way, after: { ...way.after, wires: 1 } })).toBeNull();
     await applyFix(way);
     expect(ask).toHaveBeenCalledWith("edit", expect.objectContaining({ request: { edit: "walks" } }));
   });

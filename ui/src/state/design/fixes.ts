@@ -123,15 +123,20 @@ export async function avoidCollisions(): Promise<void> {
   await needFixesOfCollisions();
   if (useDesign.getState().collisions?.found !== found) return;
   const fix = useFixes.getState().fixes.find((one) => ofCollisions(one) && takesWalks(one.edit));
-  if (fix && moreWires(fix)) useFixes.setState({ avoiding: { of: found, failed: false, offered: fix } });
+  if (fix && makesMoreWires(fix)) useFixes.setState({ avoiding: { of: found, failed: false, offered: fix } });
   else if (fix) await applyFix(fix);
   else useFixes.setState({ avoiding: { of: found, failed: true } });
 }
 
-/** "makes 3 wires of 1", where a fix leaves another number of wires than the checks know; null where it does not. */
-export function moreWires({ after: { wires } }: Fix): string | null {
-  const now = useDesign.getState().limits?.wires.length ?? 0;
-  return now === 0 || wires === now ? null : `makes ${wires} ${wires === 1 ? "wire" : "wires"} of ${now}`;
+/** How many wires there are by the checks; 0 where they do not know. */
+const wiresNow = (): number => useDesign.getState().limits?.wires.length ?? 0;
+
+const makesMoreWires = ({ after: { wires } }: Fix): boolean => wiresNow() > 0 && wires > wiresNow();
+
+/** "3 wires instead of 1", where a fix leaves another number of wires than the checks know; null where it does not. */
+export function otherWires({ after: { wires } }: Fix): string | null {
+  const now = wiresNow();
+  return now === 0 || wires === now ? null : `${wires} ${wires === 1 ? "wire" : "wires"} instead of ${now}`;
 }
 
 /** The view has given up the preview. */
@@ -142,7 +147,7 @@ export function previewGone(): void {
 /** Makes it: one change, which undo takes back. */
 export async function applyFix(fix: Fix): Promise<void> {
   showFix(null);
-  const changed = moreWires(fix);
+  const changed = otherWires(fix);
   // Which wires there are is seen nowhere in the view: who has not read the offer would cut stock for one.
   if ((await edit(fix.edit)) && changed) tell("info", `${fix.title}: ${changed}. Undo takes it back.`, "more-wires");
 }
