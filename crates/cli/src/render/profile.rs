@@ -90,7 +90,7 @@ pub(super) fn imported(out: &mut impl Write, found: &ProfileImportResponse) -> s
     let with = with(&found.with);
     if found.known {
         let (file, kind, id) = (found.file.display(), found.kind, &found.id);
-        return writeln!(out, "nothing to import: {file} is the same ({kind} '{id}'{with})");
+        return writeln!(out, "nothing to import: {file} is here already ({kind} '{id}'{with})");
     }
     if let Some(name) = &found.own_name {
         writeln!(

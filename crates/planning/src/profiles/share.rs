@@ -167,6 +167,8 @@ pub fn import(
     if id.is_none()
         && let Some(listing) = app.same_as(kind, &own_id, &values)?
     {
+        // What it brings may be new all the same.
+        new.into_iter().try_for_each(|own| own.save().map(drop))?;
         let file = PathBuf::from(&listing.file);
         let (id, name) = (listing.id, listing.name);
         return Ok(ProfileImportResponse { id, kind, name, own_name: None, known: true, file, with });

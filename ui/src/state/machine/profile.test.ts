@@ -110,7 +110,7 @@ it("tells apart what was taken in, under another name too, from what was there a
   const taken = { name: "B (2)", ownName: "B", known: false, others: ["spool-2"] };
   expect(importedPhrase(taken)).toBe("“B (2)” is one of your profiles now, with spool-2. Another one is called “B”.");
   const known = { name: "B", ownName: null, known: true, others: ["spool"] };
-  expect(importedPhrase(known)).toBe("“B” is one of your profiles already: the file is the same.");
+  expect(importedPhrase(known)).toBe("The profile is here already: it is that of “B”.");
 });
 
 const headOf = (orbit: number) => ({

@@ -205,7 +205,7 @@ export interface Imported {
 
 /** What to say of it. */
 export function importedPhrase({ name, ownName, known, others }: Imported): string {
-  if (known) return `“${name}” is one of your profiles already: the file is the same.`;
+  if (known) return `The profile is here already: it is that of “${name}”.`;
   const why = ownName === null ? "" : ` Another one is called “${ownName}”.`;
   return `“${name}” is one of your profiles now${others.length > 0 ? `, with ${others.join(" and ")}` : ""}.${why}`;
 }
