@@ -48,7 +48,11 @@ fn a_head_that_nobody_measured_is_named_where_it_matters() {
     let single = example("u-sample.obj");
     assert!(found(folder.path(), &single, "head_not_measured", &["--machine", "wirebend-kit"]).is_empty());
 
-    set(folder.path(), "mine", "machine", &["--from", "wirebend-kit", "bend.orbit_offset_mm=12.1"]);
+    // Of the orbit both figures count, and no other makes up for one of them.
+    let values = ["--from", "wirebend-kit", "bend.orbit_offset_mm=12.1", "bend.rod_radius_mm=3.2"];
+    set(folder.path(), "mine", "machine", &values);
+    assert_eq!(on("mine", "head_not_measured").len(), 1);
+    set(folder.path(), "mine", "machine", &["bend.orbit_radius_mm=20.5"]);
     assert_eq!(on("mine", "corner_within_reach").len(), 5);
     assert!(on("mine", "head_not_measured").is_empty());
 }

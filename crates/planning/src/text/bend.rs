@@ -86,8 +86,8 @@ pub(super) fn corner_within_reach(at: &Location, near: &NearCorner) -> String {
 pub(super) fn head_not_measured(bends: usize) -> String {
     let bends = if bends == 1 { "1 bend".to_owned() } else { format!("{bends} bends") };
     format!(
-        "where the peg touches wire that was bent before depends on the bend head, and nobody measured that of this \
-         machine: {bends} may come out some degrees off"
+        "the bend head of this machine was not measured: {bends} where the peg touches wire that was bent before may come \
+         out some degrees off"
     )
 }
 

@@ -138,14 +138,14 @@ impl Complete for MachineProfile {
 }
 
 impl MachineProfile {
-    /// Whether the place of the peg was measured or calibrated on this machine; nothing of one without a peg.
+    /// Whether the orbit of the peg was measured or calibrated on this machine; nothing of one without a peg.
     #[must_use]
     pub fn head_measured(&self) -> Option<bool> {
         let bend = &self.bend;
-        let head = [&bend.orbit_radius_mm, &bend.orbit_offset_mm, &bend.rod_radius_mm];
+        let orbit = [&bend.orbit_radius_mm, &bend.orbit_offset_mm];
         let measured = |figure: &Sourced<f64>| figure.measured || figure.within_95.is_some();
         matches!(bend.method.as_ref()?.value, BendMethod::Peg)
-            .then(|| head.into_iter().flatten().any(measured))
+            .then(|| orbit.into_iter().flatten().all(measured))
     }
 
     fn limit_figures(&self) -> Option<LimitFigures> {
