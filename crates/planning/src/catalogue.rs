@@ -50,7 +50,9 @@ pub struct CalibratedVersion {
     /// How many readings it was from.
     pub readings: u32,
     /// The machine that it was made from.
-    pub of: String,
+    pub machine: String,
+    /// The wire that it was made from.
+    pub material: String,
 }
 
 #[derive(Debug, Clone, Serialize, JsonSchema)]
@@ -127,12 +129,13 @@ pub fn machines(
 
 /// Of the profile itself: one that inherits from a calibrated machine is another machine.
 fn calibrated(machine: &Resolved<MachineProfile>) -> Option<CalibratedVersion> {
-    let profile = &machine.profile;
-    machine.origin("calibrated.date").filter(|origin| origin.id == profile.id())?;
+    let calibrated = &machine.profile.calibrated;
+    machine.origin("calibrated.date").filter(|origin| origin.id == machine.profile.id())?;
     Some(CalibratedVersion {
-        date: profile.calibrated.date.clone()?,
-        readings: profile.calibrated.readings.unwrap_or_default(),
-        of: profile.inherits().unwrap_or_default().to_owned(),
+        date: calibrated.date.clone()?,
+        readings: calibrated.readings?,
+        machine: calibrated.machine.clone()?,
+        material: calibrated.material.clone()?,
     })
 }
 

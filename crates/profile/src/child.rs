@@ -85,7 +85,11 @@ impl Library {
         let chain = self.chain(layer)?;
         let own: Vec<_> = chain.iter().take_while(|layer| !layer.shipped).copied().collect();
         let name = chain.iter().find_map(|layer| layer.values.get("name"));
-        let merged = merge(if own.is_empty() { &chain[..1] } else { &own }, T::WHOLE).values;
+        let mut merged = merge(if own.is_empty() { &chain[..1] } else { &own }, T::WHOLE).values;
+        if !layer.values.contains_key("calibrated") {
+            // That made one of its parents, and not the profile itself.
+            merged.remove("calibrated");
+        }
         let inherits = chain.get(own.len().max(1)).map(|parent| Value::from(parent.id.as_str()));
         let mut values = Map::new();
         for key in ["schema_version", "kind", "id"] {

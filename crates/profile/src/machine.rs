@@ -55,6 +55,10 @@ layer! {
         pub date: String,
         /// How many readings it was from, those that were left out aside.
         pub readings: u32,
+        /// Id of the machine that it was made from.
+        pub machine: String,
+        /// Id of the wire that it was made from.
+        pub material: String,
     }
 }
 

@@ -4872,7 +4872,11 @@ export interface CalibratedVersion {
   /**
    * The machine that it was made from.
    */
-  of: string;
+  machine: string;
+  /**
+   * The wire that it was made from.
+   */
+  material: string;
   /**
    * How many readings it was from.
    */

@@ -67,7 +67,13 @@ pub fn apply(
     for (key, value) in found.of_material() {
         material.set(key, value)?;
     }
-    machine.set("calibrated", json!({ "date": found.date, "readings": found.readings() }))?;
+    let calibrated = json!({
+        "date": found.date,
+        "readings": found.readings(),
+        "machine": fitted.setup.machine_id(),
+        "material": fitted.setup.material_id(),
+    });
+    machine.set("calibrated", calibrated)?;
     // The wire first: the machine names it.
     material.check(app)?;
     let with_material = app.with_profile(&material)?;

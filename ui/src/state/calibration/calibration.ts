@@ -105,7 +105,8 @@ export function showStep(step: CalibrationStep): void {
 }
 
 async function read(sheet: string): Promise<void> {
-  useCalibration.setState({ sheet: await platform.ask("calibrate-sheet", { sheet }) });
+  // Other readings hold other versions to be better.
+  useCalibration.setState({ sheet: await platform.ask("calibrate-sheet", { sheet }), versions: null });
   await fitAnew();
 }
 
@@ -221,7 +222,8 @@ export function applyCalibration(machine_id: string, material_id: string, force:
       ...(shape === "better" ? {} : { shape }),
     });
     profilesChanged(null);
-    useCalibration.setState({ applied: { result, before, replaced: force, compared: null }, reverted: false });
+    const applied = { result, before, replaced: force, compared: null };
+    useCalibration.setState({ applied, reverted: false, versions: null });
     await edit({ edit: "machine", machine: result.machine, material: result.material });
     const machines: [string, string] = [sheet.machine, result.machine];
     const compared = await platform.ask("calibrate-compare", { machines, sheet: sheet.sheet });
@@ -229,13 +231,14 @@ export function applyCalibration(machine_id: string, material_id: string, force:
   });
 }
 
-/** Holds a version against the machine of the design, by the readings of the open sheet too. */
+/** Holds a version against the machine of the design; by the readings of the open sheet too, where these tell something. */
 export function compareVersions(id: string): Promise<boolean> {
   return working(async () => {
-    const { sheet } = useCalibration.getState();
+    const { sheet, report } = useCalibration.getState();
     const machine = useDesign.getState().state?.machine;
     if (!machine) return;
-    const request = { machines: [machine, id] as [string, string], ...(sheet ? { sheet: sheet.sheet } : {}) };
+    const by = sheet && report ? { sheet: sheet.sheet } : {};
+    const request = { machines: [machine, id] as [string, string], ...by };
     useCalibration.setState({ versions: await platform.ask("calibrate-compare", request) });
   });
 }
@@ -244,6 +247,7 @@ export function compareVersions(id: string): Promise<boolean> {
 export function takeVersion(machine: string, material: string): Promise<boolean> {
   return working(async () => {
     await edit({ edit: "machine", machine, material });
+    useCalibration.setState({ versions: null });
   });
 }
 
@@ -265,6 +269,6 @@ export function revertCalibration(): Promise<boolean> {
       }
     }
     profilesChanged(null);
-    useCalibration.setState({ reverted: true });
+    useCalibration.setState({ reverted: true, versions: null });
   });
 }

@@ -1,4 +1,3 @@
-import { useEffect } from "react";
 import { Button } from "../../../shared/controls/Button";
 import { count } from "../../../shared/figures/format";
 import { compareVersions, takeVersion, useCalibration } from "../../../state/calibration/calibration";
@@ -12,11 +11,8 @@ export function Versions() {
   const { versions, busy } = useCalibration();
   const { machines } = useMachines();
   const machine = useDesign((design) => design.state?.machine ?? null);
+  const wire = useDesign((design) => design.state?.material ?? null);
   const list = versionsOf(machines ?? []);
-  // The comparison is with the machine of the design: of another one it is out of date.
-  useEffect(() => {
-    if (versions && versions.machines[0] !== machine) useCalibration.setState({ versions: null });
-  }, [versions, machine]);
   return (
     <div className="calibrate-columns">
       <div className="stack">
@@ -25,18 +21,18 @@ export function Versions() {
           any of them for the design, or go back to what it was made from.
         </p>
         <ul className="stack">
-          {list.map(({ id, name, default_material, calibrated }) => {
-            const taken = id === machine;
-            const why = busy ? "Wait until this is done." : taken ? "The design has this machine." : null;
+          {list.map(({ id, name, material, calibrated }) => {
+            const taken = id === machine && material === wire;
+            const why = busy ? "Wait until this is done." : taken ? "The design has it." : null;
             return (
-              <li key={id} className="row calibrate-version" aria-current={taken || undefined}>
+              <li key={`${id} ${material}`} className="row calibrate-version" aria-current={taken || undefined}>
                 <div className="grow">
                   <p className="selectable">
-                    {name} with {default_material}
+                    {name} with {material}
                   </p>
                   <p className="muted small">
                     {calibrated
-                      ? `Calibrated ${calibrated.date} from ${count(calibrated.readings, "reading")}, made from ${calibrated.of}`
+                      ? `Calibrated ${calibrated.date} from ${count(calibrated.readings, "reading")}, made from ${calibrated.machine}`
                       : "Not calibrated"}
                     {taken && ". The design has it."}
                   </p>
@@ -44,7 +40,7 @@ export function Versions() {
                 <Button small why={why} aria-label={`Compare ${id}`} onClick={() => void compareVersions(id)}>
                   Compare
                 </Button>
-                <Button small why={why} aria-label={`Use ${id}`} onClick={() => void takeVersion(id, default_material)}>
+                <Button small why={why} aria-label={`Use ${id}`} onClick={() => void takeVersion(id, material)}>
                   Use
                 </Button>
               </li>

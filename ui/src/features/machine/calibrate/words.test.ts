@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import type { KindReport } from "../../../generated/responses";
+import type { KindReport, MachineEntry } from "../../../generated/responses";
 import { residualsOf } from "./residuals";
-import { parseAngles, parseReading } from "./words";
+import { parseAngles, parseReading, versionsOf } from "./words";
 
 describe("parseReading", () => {
   it.each([
@@ -60,5 +60,30 @@ describe("residualsOf", () => {
 
   it("draws one reading in the middle", () => {
     expect(residualsOf(kind([[40, 0]]), 320, 132).points[0]?.x).toBe(160);
+  });
+});
+
+describe("versionsOf", () => {
+  it("puts the newest first, and last what they were made from, with the wire that it had then", () => {
+    const machine = (id: string, date: string | null) =>
+      ({
+        id,
+        name: id.toUpperCase(),
+        default_material: `wire-of-${id}`,
+        ...(date
+          ? { calibrated: { date, readings: 9, machine: date > "2026-06" ? "first" : "kit", material: "spool" } }
+          : {}),
+      }) as MachineEntry;
+    const all = [
+      machine("first", "2026-05-01"),
+      machine("kit", null),
+      machine("other", null),
+      machine("second", "2026-11-27"),
+    ];
+    expect(versionsOf(all).map(({ id, material }) => [id, material])).toEqual([
+      ["second", "wire-of-second"],
+      ["first", "wire-of-first"],
+      ["kit", "spool"],
+    ]);
   });
 });

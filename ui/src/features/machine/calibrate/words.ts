@@ -1,6 +1,7 @@
 /** What a calibration says in the window. */
 
 import type {
+  CalibratedVersion,
   CalibrationReport,
   CalibrationRow,
   CalibrationSheet,
@@ -76,13 +77,25 @@ export function parseAngles(text: string): readonly number[] | null {
 export const wanted = (row: CalibrationRow): string =>
   row.unit === "deg" ? angle(row.wanted) : `${number(row.wanted)} mm`;
 
-/** What calibrations made, the newest first, and after them what they were made from. */
-export function versionsOf(machines: readonly MachineEntry[]): MachineEntry[] {
-  const made = machines.filter(({ calibrated }) => calibrated);
-  const from = new Set(made.map(({ calibrated }) => calibrated?.of));
-  const date = ({ calibrated }: MachineEntry) => calibrated?.date ?? "";
-  return [
-    ...made.sort((one, other) => date(other).localeCompare(date(one))),
-    ...machines.filter(({ id, calibrated }) => from.has(id) && !calibrated),
-  ];
+/** A machine with a wire, and the calibration that made both; null where none did. */
+interface Version {
+  readonly id: string;
+  readonly name: string;
+  readonly material: string;
+  readonly calibrated: CalibratedVersion | null;
+}
+
+/** What calibrations made, the newest first, and after them what they were made from, with the wire that they began with. */
+export function versionsOf(machines: readonly MachineEntry[]): Version[] {
+  const made = machines.flatMap(({ id, name, default_material: material, calibrated }) =>
+    calibrated ? [{ id, name, material, calibrated }] : [],
+  );
+  made.sort((one, other) => other.calibrated.date.localeCompare(one.calibrated.date));
+  const from = new Map<string, Version>();
+  for (const { calibrated } of made) {
+    const { machine: id, material } = calibrated;
+    const machine = machines.find((one) => one.id === id && !one.calibrated);
+    if (machine) from.set(`${id} ${material}`, { id, name: machine.name, material, calibrated: null });
+  }
+  return [...made, ...from.values()];
 }

@@ -222,6 +222,8 @@ export const MATERIAL_GROUPS: readonly FieldGroup[] = [
 const OTHERS: Readonly<Record<string, string>> = {
   "calibrated.date": "Calibrated on",
   "calibrated.readings": "Calibrated from readings",
+  "calibrated.machine": "Calibrated from machine",
+  "calibrated.material": "Calibrated from wire",
   "springback.angle_deg": "Springback: degrees",
 };
 
