@@ -257,7 +257,7 @@ fn export(out: &mut impl Write, found: &ExportResponse) -> std::io::Result<()> {
         let machine = &found.machine;
         writeln!(
             out,
-            "{style}warning{style:#}: this cannot be bent on '{machine}'; `wirebend check` says why"
+            "{style}warning{style:#}: this cannot be bent on '{machine}'; `wirebend check --collisions` says why"
         )?;
     }
     written(out, found.files.iter())
