@@ -76,7 +76,7 @@ it("refuses a program that the machine cannot make until a person wants it", asy
   await toRun().getByText("short.txt").waitFor();
   expect(await toRun().locator(".line").count()).toBeGreaterThan(1);
   expect(await button("Arm…").getAttribute("title")).toMatch(/cannot make the program as it stands/);
-  await run().getByText("Run it although the machine cannot make it").click();
+  await run().getByText("Bend it anyway, although the machine cannot make it").click();
   await bend();
   await editor.isCleanNow("run-file-despite");
 });

@@ -2,7 +2,7 @@ import { lookForCollisions } from "../state/design/collisions";
 import { useDesign } from "../state/design/design";
 import { hideFix, previewGone } from "../state/design/fixes";
 import { keepSelected } from "../state/design/selection";
-import { forgetExports } from "../state/files/exports";
+import { forgetExports, setDespiteErrors } from "../state/files/exports";
 import { useFiles } from "../state/files/files";
 import { forgetFrame, keepSupports } from "../state/frame/frame";
 import { showFrame } from "../state/frame/shape";
@@ -79,6 +79,12 @@ function followChanges(): End {
     ),
     whenChanged(useDesign, ({ state }) => [state?.stencils], keepChosenStencil),
     whenChanged(useDesign, ({ state }) => [state?.machine], forgetExports),
+    // What a person wants all the same is the design as it was.
+    whenChanged(
+      useDesign,
+      ({ version }) => [version],
+      () => setDespiteErrors(false),
+    ),
     whenChanged(useDesign, ({ vertices, edges }) => [vertices, edges], hideByHand),
     whenChanged(
       useDesign,

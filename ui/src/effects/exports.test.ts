@@ -64,9 +64,13 @@ describe.each(elsewhere)("for %s", (_, go) => {
   });
 });
 
-it("keeps what is said of a design while it is saved, drawn on or undone", () => {
+it("keeps what is said of a design while it is saved, and asks anew once it is drawn on or undone", () => {
   setDespiteErrors(true);
+  setSettings("gcode", { decimals: 1 });
   const state = { machine: "kit", changed: true, stencils: [] as const, parts: [] as const } as unknown as DesignState;
   useDesign.setState({ state, vertices: new Map() });
   expect(useExports.getState().despiteErrors).toBe(true);
+  useDesign.setState(({ version }) => ({ version: version + 1 }));
+  expect(useExports.getState().despiteErrors).toBe(false);
+  expect(useExports.getState().settings.size).toBe(1);
 });

@@ -134,7 +134,7 @@ const REMEDIES: { readonly [K in Kind]: (remedy: Extract<ErrorRemedy, { remedy: 
   "use-program-file": () => "Open the file of a program.",
   "import-original": () => "Open the original again.",
   "fix-findings": () => "Fix the problems in Check.",
-  "ignore-findings": () => "Or write it anyway.",
+  "ignore-findings": () => "Or go on anyway.",
   "save-design": () => "Save the design.",
   "open-design": () => "Open the design that it was planned from.",
   "trust-driver": ({ again }) =>

@@ -213,7 +213,7 @@ describe("refusalOf", () => {
   const hit: DiagnosticReport = { ...short(1, 5), code: "meets_stock" };
 
   it("names collisions, and that going on all the same drives the wire into something", () => {
-    expect(of(hit).sub).toContain("Check found 1 error, a collision.");
+    expect(of(hit).sub).toContain("Check found 1 collision.");
     expect(of(hit).consequence).toMatch(/will hit the machine or itself: watch it/);
     expect(of(hit, short(2, 5)).sub).toContain("Check found 2 errors, 1 collision among them.");
   });

@@ -297,22 +297,19 @@ export function phraseOf(
 export function refusalOf(check: LiveCheck | null): { readonly sub: string; readonly consequence: string } {
   const errors = check?.diagnostics.filter(({ severity }) => severity === "error") ?? [];
   const hits = errors.filter(({ code }) => isCollision(code)).length;
-  const found = errors.length === 0 ? "errors" : count(errors.length, "error");
-  const of =
-    hits === 0
-      ? ""
+  const found =
+    errors.length === 0
+      ? "errors"
       : hits === errors.length
-        ? hits === 1
-          ? ", a collision"
-          : ", collisions"
-        : `, ${count(hits, "collision")} among them`;
+        ? count(hits, "collision")
+        : `${count(errors.length, "error")}${hits > 0 ? `, ${count(hits, "collision")} among them` : ""}`;
   const consequence =
     hits === 0
       ? "The wire will not come out as designed, or the machine stops in the middle of it."
       : hits === errors.length
         ? "The wire will hit the machine or itself: watch it, with STOP at hand."
         : "The wire will hit the machine or itself, and not come out as designed: watch it, with STOP at hand.";
-  return { sub: `Check found ${found}${of}. Fix what it names, or go on all the same.`, consequence };
+  return { sub: `Check found ${found}. Fix what it names, or go on anyway.`, consequence };
 }
 
 /** How many bodies of the machine are only estimated: "5 of 6 bodies are estimates"; null where all are measured. */

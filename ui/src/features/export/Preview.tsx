@@ -3,7 +3,7 @@ import type { FormatEntry } from "../../generated/responses";
 import { errorText } from "../../platform/error_text";
 import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
-import { useDesign } from "../../state/design/design";
+import { isRefused, useDesign } from "../../state/design/design";
 import { preview, setDespiteErrors, useExports } from "../../state/files/exports";
 import { Anyway } from "../check/Anyway";
 import { bytes, isPrinted } from "./groups";
@@ -14,7 +14,8 @@ const REST_MS = 350;
 /** The beginning of what would be written, and what to know of it. */
 export function Preview({ format }: { readonly format: FormatEntry }) {
   const { preview: shown, previewing, settings, despiteErrors } = useExports();
-  const { vertices, edges, state, check } = useDesign();
+  const design = useDesign();
+  const { vertices, edges, state } = design;
   const unit = useUnit();
   // biome-ignore lint/correctness/useExhaustiveDependencies: what is written depends on all of these
   useEffect(() => {
@@ -37,8 +38,7 @@ export function Preview({ format }: { readonly format: FormatEntry }) {
     unit,
   ]);
   const mine = shown?.format === format.id ? shown : null;
-  const infeasible =
-    format.program && (mine?.refused?.errors || mine?.seen?.feasible === false || check?.feasible === false);
+  const infeasible = format.program && (mine?.refused?.errors || mine?.seen?.feasible === false || isRefused(design));
   return (
     <div className="stack" aria-busy={previewing}>
       {infeasible && (

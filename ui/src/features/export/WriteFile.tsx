@@ -6,7 +6,7 @@ import { Field } from "../../shared/controls/Field";
 import { TextInput } from "../../shared/controls/inputs";
 import { Line } from "../../shared/lists/Line";
 import { told } from "../../state/asking/problems";
-import { useDesign } from "../../state/design/design";
+import { isRefused, useDesign } from "../../state/design/design";
 import { useExports, write } from "../../state/files/exports";
 import { beside, fileName, isPrinted } from "./groups";
 import { PrintPreview } from "./print/PrintPreview";
@@ -47,7 +47,7 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
   };
   const refused = preview?.format === format.id ? preview.refused : null;
   // What Check found of collisions is no part of the preview, which does not look for them.
-  const infeasible = useDesign((design) => design.check?.feasible === false);
+  const infeasible = useDesign(isRefused);
   const withheld = format.program && infeasible && !despiteErrors ? "The machine cannot bend this: see above." : null;
   const why = busy ? "The file is being written." : refused ? refused.message : withheld;
   const done = written?.format === format.id ? written.files : [];

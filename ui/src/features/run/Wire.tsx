@@ -75,7 +75,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
         !under &&
         (file ? (
           <Checkbox checked={anyway} onChange={setAnyway}>
-            Run it although the machine cannot make it
+            Bend it anyway, although the machine cannot make it
           </Checkbox>
         ) : (
           <Anyway checked={anyway} onChange={setAnyway}>

@@ -9,7 +9,7 @@ import type {
   NoteReport,
   ViewChange,
 } from "../../generated/responses";
-import { platform } from "../../platform";
+import { platform, Refused } from "../../platform";
 import type { Moved, SceneDesign, SceneEdge, SceneSurface, SceneVertex } from "../../scene/interface";
 import { tell, told } from "../asking/problems";
 import { inTurn, isBeingReplaced } from "./turns";
@@ -31,6 +31,8 @@ export interface DesignStore extends SceneDesign {
   readonly collisions: CollisionsOf | null;
   /** How often the design was changed or another one opened. */
   readonly version: number;
+  /** The version that was refused since it cannot be bent: whoever is asked to write or bend it looks for collisions too. */
+  readonly refused: number | null;
   /** What was merged, ignored or assumed while the file was read. */
   readonly notes: readonly NoteReport[];
 }
@@ -52,8 +54,24 @@ export const useDesign = create<DesignStore>()(() => ({
   surfaces: new Map<number, SceneSurface>(),
   ...UNCHECKED,
   version: 0,
+  refused: null,
   notes: [],
 }));
+
+/** Whether the design as it is cannot be bent, by the checks or by whoever was asked to write or bend it. */
+export const isRefused = ({ check, version, refused }: DesignStore): boolean =>
+  check?.feasible === false || refused === version;
+
+/** Waits for what is asked of the open design, and keeps it where the design is refused: checks that were stopped do not know. */
+export async function ofDesign<T>(asked: Promise<T>): Promise<T> {
+  const { version } = useDesign.getState();
+  try {
+    return await asked;
+  } catch (error) {
+    if (error instanceof Refused && error.refusal.code === "not-feasible") useDesign.setState({ refused: version });
+    throw error;
+  }
+}
 
 /** How many designs were shown: what was asked of one is no answer for another. */
 let shown = 0;

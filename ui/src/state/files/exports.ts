@@ -3,6 +3,7 @@ import type { ExportPreview, FormatEntry } from "../../generated/responses";
 import { Refused } from "../../platform";
 import { errorText } from "../../platform/error_text";
 import { asking } from "../asking/work";
+import { ofDesign } from "../design/design";
 import { type DisplayUnit, useUnits } from "../window/units";
 
 /** Settings of a format, by key. */
@@ -152,12 +153,8 @@ export async function write(path: string, force: boolean): Promise<boolean> {
   const settings = { ...settingsOf(format, store.settings) };
   const output = { path, force };
   const before = forgotten;
-  const { files } = await asking("export", {
-    format: format.id,
-    settings,
-    despite_errors: store.despiteErrors,
-    output,
-  });
+  const asked = asking("export", { format: format.id, settings, despite_errors: store.despiteErrors, output });
+  const { files } = await ofDesign(asked);
   if (before === forgotten) useExports.setState({ written: { format: format.id, files } });
   return true;
 }

@@ -5,7 +5,16 @@ import { type FileKind, platform } from "../../platform";
 import { errorText } from "../../platform/error_text";
 import { tell, told } from "../asking/problems";
 import { asking } from "../asking/work";
-import { applyChange, checkDesign, type DesignStore, edit, showDesign, useDesign, whyNoChange } from "../design/design";
+import {
+  applyChange,
+  checkDesign,
+  type DesignStore,
+  edit,
+  ofDesign,
+  showDesign,
+  useDesign,
+  whyNoChange,
+} from "../design/design";
 import { inTurn, replacingDesign, settled } from "../design/turns";
 import { loadRunFile, openRunFile } from "../program/run_file";
 import { useUi } from "../window/ui";
@@ -307,7 +316,8 @@ export async function saveJob(): Promise<void> {
   const { despiteErrors } = useExports.getState();
   const path = await told(platform.pickSave(`${stem()}.wbjob`, { name: "Jobs", extensions: ["wbjob"] }));
   if (!path) return;
-  const saved = await told(asking("save-job", { output: { path, force: true }, despite_errors: despiteErrors }));
+  const asked = asking("save-job", { output: { path, force: true }, despite_errors: despiteErrors });
+  const saved = await told(ofDesign(asked));
   if (saved) tell("info", `The job is in ${saved.file}.`, "job-saved");
 }
 

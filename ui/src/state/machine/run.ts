@@ -5,7 +5,7 @@ import { platform } from "../../platform";
 import { errorText } from "../../platform/error_text";
 import { tell, told } from "../asking/problems";
 import { asking } from "../asking/work";
-import { useDesign } from "../design/design";
+import { ofDesign, useDesign } from "../design/design";
 import { endLive, showDoubt, showLive } from "../program/program";
 import { useRunFile } from "../program/run_file";
 import { useUi } from "../window/ui";
@@ -240,7 +240,8 @@ export function connect(port: string | null, simulatedAs: SimulatedAs = {}): Pro
 
 export function order(what: Order): Promise<boolean> {
   if (what.order === "start" || what.order === "resume-run") useRun.setState({ ended: null });
-  return ordered(asking("order", { request: what }));
+  const asked = asking("order", { request: what });
+  return ordered(useRunFile.getState().file ? asked : ofDesign(asked));
 }
 
 export function answer(question: number, what: Answer): Promise<boolean> {
