@@ -46,7 +46,7 @@ pub(crate) fn published_machine() -> Machine {
             min_rotation_source: from("the paper"),
             max_rotation_source: from("the paper"),
             axis_source: from("the paper"),
-            head_not_measured: None,
+            head_not_measured: false,
         },
         head: HeadLimits { min: deg(-360.0), max: deg(360.0), seconds_per_degree: 1.0 / 131.3 },
         compensation: Compensation {

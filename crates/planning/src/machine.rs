@@ -206,8 +206,7 @@ fn model(
             min_rotation_source: stated_source("limits.min_rotation_deg", &stated.min_rotation_deg),
             max_rotation_source: stated_source("limits.max_rotation_deg", &stated.max_rotation_deg),
             axis_source: stated_source("bend.axis_limit_deg", &machine.profile.bend.axis_limit_deg),
-            head_not_measured: (machine.profile.head_measured() == Some(false))
-                .then(|| stated_source("bend.orbit_offset_mm", &machine.profile.bend.orbit_offset_mm)),
+            head_not_measured: machine.profile.head_measured() == Some(false),
         },
         head: HeadLimits {
             min: deg(limits.min_rotation_deg)?,

@@ -21,11 +21,11 @@ pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
         bends += 1;
     }
     // How much further the axis goes there depends on where the peg really is.
-    if let (1.., Some(source)) = (bends, &wire.limits.head_not_measured) {
+    if bends > 0 && wire.limits.head_not_measured {
         found.push(Diagnostic {
             severity: Severity::Info,
             location: Location::default(),
-            fact: Fact::HeadNotMeasured { bends, source: source.clone() },
+            fact: Fact::HeadNotMeasured(bends),
             remedies: vec![Remedy::Calibrate],
         });
     }

@@ -210,13 +210,8 @@ pub enum Fact {
     },
     /// The peg of a bend meets wire that was bent before.
     CornerWithinReach(NearCorner),
-    /// Where the peg meets bent wire depends on the dimensions of a bend head that was not measured.
-    HeadNotMeasured {
-        /// How many bends it matters for.
-        bends: usize,
-        /// Where its dimensions come from.
-        source: Source,
-    },
+    /// The bend head was not measured, on which it depends where the peg of so many bends meets bent wire.
+    HeadNotMeasured(usize),
     /// A bend is smaller than the scatter of the machine's bends, so that it may come out to either side.
     BendInScatter {
         /// The bend, as a magnitude.

@@ -75,8 +75,8 @@ pub struct MachineLimits {
     pub max_rotation_source: Source,
     /// Where the limit of the bend axis comes from; `BendModel` has its value.
     pub axis_source: Source,
-    /// Where the place of the peg comes from, on a machine on which nobody measured it.
-    pub head_not_measured: Option<Source>,
+    /// Whether it bends about a peg whose orbit was not measured.
+    pub head_not_measured: bool,
 }
 
 /// The torque of a bend axis beside that which bends its wire.

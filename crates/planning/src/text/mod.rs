@@ -70,7 +70,7 @@ pub fn message(diagnostic: &Diagnostic) -> String {
         Fact::LeadTooShort { lead, needed, .. } => bend::lead_too_short(at, *lead, *needed),
         Fact::CornerTooNear { bend } => bend::corner_too_near(at, *bend),
         Fact::CornerWithinReach(near) => bend::corner_within_reach(at, near),
-        Fact::HeadNotMeasured { bends, .. } => bend::head_not_measured(*bends),
+        Fact::HeadNotMeasured(bends) => bend::head_not_measured(*bends),
         Fact::BendInScatter { bend, scatter } => bend::in_scatter(at, *bend, scatter.value),
         Fact::CornerNotMade { vertex, corner, .. } => bend::corner_not_made(*vertex, *corner),
         Fact::FoldBack { .. } => bend::fold_back(at),

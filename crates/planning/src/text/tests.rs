@@ -231,7 +231,7 @@ fn findings_of_bends_name_the_vertex_or_else_the_step() {
     );
     says(
         Location::default(),
-        Fact::HeadNotMeasured { bends: 3, source: stated(()).source },
+        Fact::HeadNotMeasured(3),
         "the bend head of this machine was not measured: 3 bends where the peg touches wire that was bent before may come out some degrees off",
     );
     says(

@@ -33,7 +33,7 @@ impl Fact {
             Self::LeadTooShort { .. } => Code::LeadTooShort,
             Self::CornerTooNear { .. } => Code::CornerTooNear,
             Self::CornerWithinReach(_) => Code::CornerWithinReach,
-            Self::HeadNotMeasured { .. } => Code::HeadNotMeasured,
+            Self::HeadNotMeasured(_) => Code::HeadNotMeasured,
             Self::BendInScatter { .. } => Code::BendInScatter,
             Self::CornerNotMade { .. } => Code::CornerNotMade,
             Self::FoldBack { .. } | Self::FoldBackNotCompensated { .. } => Code::FoldBack,

@@ -39,7 +39,7 @@ impl Fact {
             Self::FoldBack { .. } => Quantity::Angle(Angle::HALF_TURN),
             Self::SeveralWires { wires: count }
             | Self::NoEulerPath { odd: count, .. }
-            | Self::HeadNotMeasured { bends: count, .. }
+            | Self::HeadNotMeasured(count)
             | Self::DoubledEdge { passes: count, .. } => Quantity::Count(*count),
             Self::CornerWithinReach(near) => return near.further.map(Quantity::Angle),
             Self::NoEdges => Quantity::Count(0),
@@ -163,7 +163,7 @@ impl Fact {
             | Self::BendTooSmall { .. }
             | Self::CornerTooNear { .. }
             | Self::CornerWithinReach(_)
-            | Self::HeadNotMeasured { .. }
+            | Self::HeadNotMeasured(_)
             | Self::FoldBackNotCompensated { .. } => return None,
         })
     }
