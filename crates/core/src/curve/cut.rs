@@ -62,7 +62,7 @@ pub struct CurveCut {
     /// The corners from one end to the other. A single one where the lines before and behind the curve meet instead of
     /// it. The last of a ring is not its first again.
     pub points: Vec<Point3<f64>>,
-    /// How far apart points of the curve and of the edges are at most, to the spacing of the samples.
+    /// How far apart points of the curve and of the edges are at most, to a hundredth of a millimetre.
     pub deviation: Length,
     /// Where on the curve that is.
     pub at: Point3<f64>,

@@ -21,6 +21,8 @@ const ROUNDS: usize = 2;
 const MARGIN_MM: f64 = 1e-4;
 /// What a missing millimetre of an edge counts beside one of deviation.
 const MISSING: f64 = 1e3;
+/// How much farther than said a point between two samples may be, mm.
+const BETWEEN_MM: f64 = 0.01;
 /// The sharpest turn that becomes a single corner, as its cosine: 120°. Lines that fold back more meet far outside of their
 /// curve.
 const COS_SHARPEST: f64 = -0.5;
@@ -65,7 +67,7 @@ impl<'a> Fit<'a> {
             corners = self.corners(&on_curve, &out, far, slide);
             measured = self.measured(places, &corners);
         }
-        self.made(corners, &measured)
+        self.made(places, corners, measured)
     }
 
     /// The lines before and behind the curve, up to where they meet, in place of it.
@@ -86,12 +88,14 @@ impl<'a> Fit<'a> {
             return None;
         }
         let corners = vec![nalgebra::center(&one, &other)];
-        let measured = self.measured(&[0.0, self.samples.length()], &corners);
+        let places = [0.0, self.samples.length()];
+        let measured = self.measured(&places, &corners);
         // A corner has no edge that could be too short: without an end it would replace a curve of any size.
-        (measured.deviation <= self.limit.shortest.mm()).then(|| self.made(corners, &measured))
+        (measured.deviation <= self.limit.shortest.mm()).then(|| self.made(&places, corners, measured))
     }
 
-    fn made(&self, mut points: Vec<Point3<f64>>, measured: &Measured) -> CurveCut {
+    fn made(&self, places: &[f64], mut points: Vec<Point3<f64>>, mut measured: Measured) -> CurveCut {
+        self.look_between_samples(places, &points, &mut measured);
         if self.ends == CurveEnds::Ring {
             points.pop();
         }
@@ -155,14 +159,9 @@ impl<'a> Fit<'a> {
 
     /// How far corners are from the curve, each edge beside the part that it stands for.
     fn measured(&self, places: &[f64], corners: &[Point3<f64>]) -> Measured {
-        let (first, last) = (self.samples.points[0], self.samples.points[self.samples.points.len() - 1]);
         let is_ring = self.ends == CurveEnds::Ring;
-        // Where an end has slid, the line before it goes on up to there.
-        let mut line = Vec::with_capacity(corners.len() + 2);
-        line.push(if is_ring { corners[corners.len().saturating_sub(2)] } else { first });
-        line.extend_from_slice(corners);
-        line.push(if is_ring { corners[1.min(corners.len() - 1)] } else { last });
-        let (mut deviation, mut at) = (0.0_f64, first);
+        let line = self.line(corners);
+        let (mut deviation, mut at) = (0.0_f64, self.samples.points[0]);
         let mut count = |distance: f64, place: Point3<f64>| {
             if distance > deviation {
                 (deviation, at) = (distance, place);
@@ -171,10 +170,8 @@ impl<'a> Fit<'a> {
         for (k, pair) in places.windows(2).enumerate() {
             let ends = [self.samples.at(pair[0]), self.samples.at(pair[1])];
             let inner = self.samples.between(pair[0], pair[1]);
-            let sides = &line[k..(k + 4).min(line.len())];
             for point in ends.iter().chain(inner) {
-                let near = sides.windows(2).map(|side| distance_to_segment(point, &side[0], &side[1]));
-                count(near.fold(f64::INFINITY, f64::min), *point);
+                count(distance_to_part(point, &line, k), *point);
             }
         }
         // A corner may be farther out than any point of the curve is from its edges.
@@ -189,6 +186,44 @@ impl<'a> Fit<'a> {
             at,
             missing: lacking.iter().map(|lack| (lack + MARGIN_MM).max(0.0)).sum(),
             too_short: lacking.iter().filter(|&&lack| lack > MARGIN_MM / 100.0).count(),
+        }
+    }
+
+    /// The edges, with one more at both ends: where an end has slid, the line before it goes on up to there.
+    fn line(&self, corners: &[Point3<f64>]) -> Vec<Point3<f64>> {
+        let (first, last) = (self.samples.points[0], self.samples.points[self.samples.points.len() - 1]);
+        let is_ring = self.ends == CurveEnds::Ring;
+        let mut line = Vec::with_capacity(corners.len() + 2);
+        line.push(if is_ring { corners[corners.len().saturating_sub(2)] } else { first });
+        line.extend_from_slice(corners);
+        line.push(if is_ring { corners[1.min(corners.len() - 1)] } else { last });
+        line
+    }
+
+    /// Between two samples another edge may become the nearest one, and both be farther there than at the samples. A distance
+    /// grows no faster than one goes: only where that leaves room for more is looked closer.
+    fn look_between_samples(&self, places: &[f64], corners: &[Point3<f64>], measured: &mut Measured) {
+        let line = self.line(corners);
+        for (k, pair) in places.windows(2).enumerate() {
+            let far = |point: Point3<f64>| (point, distance_to_part(&point, &line, k));
+            let mut before = far(self.samples.at(pair[0]));
+            let end = self.samples.at(pair[1]);
+            for next in self.samples.between(pair[0], pair[1]).iter().chain([&end]) {
+                let next = far(*next);
+                let mut steps = vec![(before, next)];
+                while let Some((one, other)) = steps.pop() {
+                    let most = f64::midpoint(one.1, other.1) + (other.0 - one.0).norm() / 2.0;
+                    if most <= measured.deviation + BETWEEN_MM {
+                        continue;
+                    }
+                    let middle = far(nalgebra::center(&one.0, &other.0));
+                    if middle.1 > measured.deviation {
+                        (measured.at, measured.deviation) = middle;
+                    }
+                    steps.extend([(one, middle), (middle, other)]);
+                }
+                before = next;
+            }
         }
     }
 
@@ -210,6 +245,12 @@ impl<'a> Fit<'a> {
             _ => part(from, to),
         }
     }
+}
+
+/// The distance of a point of a part of the curve to its edge and those beside it.
+fn distance_to_part(point: &Point3<f64>, line: &[Point3<f64>], part: usize) -> f64 {
+    let sides = line[part..(part + 4).min(line.len())].windows(2);
+    sides.map(|side| distance_to_segment(point, &side[0], &side[1])).fold(f64::INFINITY, f64::min)
 }
 
 /// The value from 0 to `most` that costs least, as far as values close together cost about the same.
