@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use wirebend_planning::frame::FrameSupports;
 use wirebend_planning::sequence::{
     CostName, DrawnSequence, GroupBy, OrderedStep, SequenceFormat, drawn_sequence,
 };
@@ -78,6 +79,7 @@ impl Workspace {
             design: self.as_input()?,
             machine: asked.machine.clone(),
             material: asked.material.clone(),
+            supports: FrameSupports::Design,
             epsilon_mm: asked.epsilon_mm,
             check: None,
             layers: asked.order.is_none(),

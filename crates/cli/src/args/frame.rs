@@ -109,7 +109,7 @@ pub(crate) struct ToleranceArgs {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Gravity(pub [f64; 3]);
 
-fn parse_supports(text: &str) -> Result<FrameSupports, String> {
+pub(super) fn parse_supports(text: &str) -> Result<FrameSupports, String> {
     match text {
         "design" => Ok(FrameSupports::Design),
         "free" => Ok(FrameSupports::Free),

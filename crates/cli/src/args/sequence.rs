@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use wirebend_api::{CostName, GroupBy, SequenceFormat};
+use wirebend_api::{CostName, FrameSupports, GroupBy, SequenceFormat};
 
+use super::frame::parse_supports;
 use super::shared::DesignArgs;
 
 #[derive(Debug, Args)]
@@ -18,6 +19,9 @@ pub(crate) struct SequenceArgs {
     /// What struts are made of, by id (see `wirebend materials`); what the design says, else what the machine's profile names, if absent
     #[arg(long, value_name = "ID")]
     pub material: Option<String>,
+    /// What stands on the ground: the supports of the design, or vertices such as 0,4,7
+    #[arg(long, value_name = "design|V,V...", default_value = "design", value_parser = parse_supports)]
+    pub supports: FrameSupports,
     /// How far a joint may be from where it is drawn, in mm; the radius of a strut less the machine's position tolerance if absent
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     pub epsilon: Option<f64>,

@@ -17,6 +17,7 @@ pub(super) fn sequence(args: SequenceArgs) -> anyhow::Result<Command> {
         design: design(&args.design)?,
         machine: args.machine,
         material: args.material,
+        supports: args.supports,
         epsilon_mm: args.epsilon,
         check: args.check.as_deref().map(input).transpose()?,
         layers: args.in_layers,

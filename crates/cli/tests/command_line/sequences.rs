@@ -37,6 +37,31 @@ fn the_bunny_of_framefab_is_built() {
     assert_eq!(layered, 179, "every strut is in one layer");
 }
 
+/// The four struts hang on one pillar where it alone stands on the ground; the other goes down to where there is none.
+#[test]
+fn supports_of_the_command_line_are_the_ground() {
+    let frame = "assembly-instances/four-frame.json";
+    let first_types = |found: &Value| -> Vec<String> {
+        let steps = found["steps"].as_array().unwrap().iter();
+        steps.map(|step| step["type"].as_str().unwrap().to_owned()).collect()
+    };
+    let drawn = sequence(frame, &[]).ended(0).json();
+    let same = sequence(frame, &["--supports", "design"]).ended(0).json();
+    assert_eq!(drawn["steps"], same["steps"]);
+    let grounds = |found: &Value| first_types(found).iter().filter(|kind| *kind == "ground").count();
+    assert_eq!(grounds(&drawn), 2);
+    let on_one = sequence(frame, &["--supports", "0"]).ended(0).json();
+    assert_eq!((grounds(&on_one), &on_one["steps"][0]["from_vertex"]), (1, &json!(0)));
+    let (stiffer, softer) = (&drawn["max_displacement_mm"], &on_one["max_displacement_mm"]);
+    assert!(softer.as_f64() > stiffer.as_f64(), "{softer} on one pillar, {stiffer} on two");
+
+    let floats = sequence(frame, &["--supports", "free"]).ended(4).json();
+    assert_eq!(codes(&floats), ["frame_unsupported"]);
+    let missing = sequence(frame, &["--supports", "0,77"]).ended(3);
+    assert_eq!(missing.json()["error"]["code"], "no-vertex");
+    sequence(frame, &["--supports", "0;1"]).ended(2);
+}
+
 #[test]
 fn a_sequence_that_was_written_is_checked_and_a_spoilt_one_refused() {
     let folder = tempfile::tempdir().unwrap();

@@ -39,7 +39,7 @@ impl Structure {
             Some((id, Member::new(*node.get(&edge.a)?, *node.get(&edge.b)?, material.section_of(id))))
         });
         let (edges, members): (Vec<EdgeId>, Vec<Member>) = members.unzip();
-        let held = held(opened, supports)?;
+        let held = supports.vertices(opened)?;
         let (bearing, unused): (Vec<VertexId>, Vec<VertexId>) =
             held.into_iter().partition(|&vertex| !wireframe.incident(vertex).is_empty());
         notes.extend(unused_supports(&unused));
@@ -103,24 +103,6 @@ impl Structure {
 fn support(opened: &Opened, supports: &FrameSupports, id: VertexId, node: NodeId) -> Support {
     let drawn = opened.document.wireframe.vertex(id).filter(|_| *supports == FrameSupports::Design);
     Support { node, fixed: drawn.map_or([true; 6], |vertex| vertex.fixed()) }
-}
-
-/// The vertices that are held.
-fn held(opened: &Opened, supports: &FrameSupports) -> Result<Vec<VertexId>, PlanningError> {
-    let wireframe = &opened.document.wireframe;
-    let mut held: Vec<VertexId> = match supports {
-        FrameSupports::Free => Vec::new(),
-        FrameSupports::Design => {
-            wireframe.vertices().filter(|(_, vertex)| vertex.support).map(|(id, _)| id).collect()
-        }
-        FrameSupports::Vertices(ids) => ids.iter().copied().map(VertexId).collect(),
-    };
-    held.sort_unstable();
-    held.dedup();
-    match held.iter().find(|&&id| wireframe.vertex(id).is_none()) {
-        Some(&VertexId(vertex)) => Err(opened.no_vertex(vertex, wirebend_error::InputName::Supports)),
-        None => Ok(held),
-    }
 }
 
 /// A support that holds nothing is worth knowing of.

@@ -24,6 +24,7 @@ use wirebend_frame::STANDARD_GRAVITY;
 
 use crate::choices::PlanChoices;
 use crate::design::{DesignInput, Input, Opened};
+use crate::frame::FrameSupports;
 use crate::{Installation, Output, PlanningError, Progress};
 use builder::BuilderSetup;
 use drawn::Drawing;
@@ -45,6 +46,9 @@ pub struct SequenceRequest {
     pub machine: String,
     /// What the struts are made of; absent, what the design says, else what the machine's profile names.
     pub material: Option<String>,
+    /// What stands on the ground.
+    #[serde(default)]
+    pub supports: FrameSupports,
     /// How far a joint may be from where it is drawn, mm; absent, the radius of a strut less the machine's position tolerance.
     #[schemars(range(min = 0.0))]
     pub epsilon_mm: Option<f64>,
@@ -121,8 +125,9 @@ fn run(
     }
     let limit = seconds(request.limit_s)?;
     let started = Instant::now();
-    let opened = request.design.open(progress)?.with_wireframe()?;
+    let mut opened = request.design.open(progress)?.with_wireframe()?;
     opened.require_designed()?;
+    opened.document.wireframe = request.supports.hold(&opened)?;
     let setup = BuilderSetup::new(app, &opened, request)?;
     let mut answer = report::Answer::new(&opened, &setup);
     answer.took("read", started);
