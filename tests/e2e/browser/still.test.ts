@@ -1,4 +1,5 @@
 import { afterAll, beforeAll, expect, it } from "vitest";
+import type { Order } from "../../../ui/src/generated/requests.ts";
 import { picture } from "../support/browser.ts";
 import { Editor, until } from "../support/editor.ts";
 import { type Place, Sight } from "../support/sight.ts";
@@ -202,6 +203,42 @@ it("keeps the layout around the panel while a machine is connected", async () =>
     () => editor.button("Connect").waitFor(),
     ".panel-sections",
   );
+});
+
+it("keeps the buttons of Run under the pointer, whatever comes above them", async () => {
+  await editor.take("house", "run");
+  const run = editor.section("run");
+  const button = (name: string) => run.getByRole("button", { name, exact: true });
+  const phase = (name: string) => run.locator(`.run-phase.${name}`).waitFor();
+  await run.getByLabel("Port", { exact: true }).selectOption("sim:10");
+  await button("Connect").click();
+  await phase("connected");
+  /** What is under a pointer that rests. */
+  const under = (x: number, y: number) =>
+    editor.page.evaluate(
+      ([x, y]) => document.elementFromPoint(x, y)?.closest("button")?.textContent?.trim() ?? "no button",
+      [x, y] as const,
+    );
+  /** Rests on a button while something else does it, and is on `then` afterwards. */
+  const rests = async (name: string, does: () => Promise<unknown>, came: string, then: string) => {
+    await button(name).hover();
+    const { x, y, width, height } = (await button(name).boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+    await does();
+    await phase(came);
+    await editor.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    expect(await under(x + width / 2, y + height / 2), `where ${name} was`).toBe(then);
+  };
+  const order = (what: Order) => editor.loopback.ask("order", { request: what });
+  await button("Arm…").click();
+  await editor.page.getByRole("dialog").getByRole("button", { name: "Arm", exact: true }).click();
+  await phase("armed");
+  await rests("Start", () => order({ order: "start" }), "making", "Pause");
+  await rests("Pause", () => order({ order: "pause" }), "holding", "Resume");
+  await rests("Resume", () => order({ order: "resume" }), "making", "Pause");
+  // A wire that is stopped leaves a card above.
+  await rests("Pause", () => press("Control+Space"), "stopped", "Start");
+  await run.getByRole("group", { name: "Interrupted wire" }).waitFor();
+  await editor.isCleanNow("still-run-stopped");
 });
 
 it("keeps the focus on a click on a unit, and letters of a field away from the design", async () => {

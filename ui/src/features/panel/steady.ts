@@ -1,7 +1,12 @@
 import { type RefObject, useEffect } from "react";
 
-/** What is held, the innermost of them that the pointer is on. */
-const HELD = ".part, .section";
+/** What is held, of what the pointer is on: the first that is still there. A row stays where one of its buttons becomes another. */
+const HELD = ["button, input, select, textarea, label, summary", ".row", ".part", ".section"];
+
+interface Held {
+  readonly element: Element;
+  readonly top: number;
+}
 
 /**
  * Keeps what is under the pointer where it is when something above it grows or shrinks: a click that is on its way would land on something
@@ -11,17 +16,20 @@ export function useSteady(box: RefObject<HTMLElement | null>, parts: string): vo
   useEffect(() => {
     const scrolled = box.current;
     if (!scrolled) return;
-    let under: Element | null = null;
-    let [top, scroll] = [0, 0];
-    const place = () => (under ? under.getBoundingClientRect().top - scrolled.getBoundingClientRect().top : 0);
+    let under: readonly Held[] = [];
+    let scroll = 0;
+    const place = (element: Element) => element.getBoundingClientRect().top - scrolled.getBoundingClientRect().top;
     const look = () => {
-      [top, scroll] = [place(), scrolled.scrollTop];
+      const there = under.filter(({ element }) => element.isConnected);
+      under = there.map(({ element }) => ({ element, top: place(element) }));
+      scroll = scrolled.scrollTop;
     };
     const hold = (): boolean => {
-      if (!under?.isConnected) return false;
+      const held = under.find(({ element }) => element.isConnected);
+      if (!held) return false;
       // A scroll is wanted, but for that of a box whose contents have become too short for it.
       const cut = scrolled.scrollTop + scrolled.clientHeight >= scrolled.scrollHeight - 1;
-      const moved = place() - top + (cut ? 0 : scrolled.scrollTop - scroll);
+      const moved = place(held.element) - held.top + (cut ? 0 : scrolled.scrollTop - scroll);
       if (moved !== 0) scrolled.scrollTop += moved;
       look();
       return moved !== 0;
@@ -34,7 +42,8 @@ export function useSteady(box: RefObject<HTMLElement | null>, parts: string): vo
       // What has grown may come under a pointer that rests, before its growth is reported: that is taken back, since the user has not
       // pointed at it.
       if (scrolled.scrollTop === scroll && hold()) return;
-      under = target instanceof Element ? target.closest(HELD) : null;
+      const around = target instanceof Element ? HELD.map((kind) => target.closest(kind)) : [];
+      under = around.filter((element) => element !== null).map((element) => ({ element, top: 0 }));
       look();
     };
     scrolled.addEventListener("pointerover", point, { signal });
@@ -42,7 +51,7 @@ export function useSteady(box: RefObject<HTMLElement | null>, parts: string): vo
     scrolled.addEventListener(
       "pointerleave",
       () => {
-        under = null;
+        under = [];
       },
       { signal },
     );

@@ -7,12 +7,15 @@ const MAX_PIECES = 10_000;
 export function Pieces({
   pieces,
   stock,
+  why,
   onPieces,
   onStock,
 }: {
   readonly pieces: number;
   /** Length of the wire that is loaded, mm; null where it is not known. */
   readonly stock: number | null;
+  /** Why they cannot be set now. */
+  readonly why: string | null;
   readonly onPieces: (pieces: number) => void;
   readonly onStock: (mm: number | null) => void;
 }) {
@@ -25,6 +28,7 @@ export function Pieces({
             kind="whole"
             label="Pieces"
             value={pieces}
+            why={why}
             min={1}
             max={MAX_PIECES}
             onCommit={onPieces}
@@ -38,6 +42,7 @@ export function Pieces({
             label="Wire loaded"
             placeholder="not known"
             value={stock}
+            why={why}
             min={0}
             onCommit={(mm) => onStock(mm > 0 ? mm : null)}
           />

@@ -72,7 +72,6 @@ export function Wire({ state }: { readonly state: MachineState }) {
         <Differing settings={state.settings} why={all.writeSettings} accept={accept} onAccept={setAccept} />
       )}
       {refused &&
-        !under &&
         (file ? (
           <Checkbox checked={anyway} onChange={setAnyway}>
             Bend it anyway, although the machine cannot make it
@@ -82,18 +81,14 @@ export function Wire({ state }: { readonly state: MachineState }) {
             Bend it anyway
           </Anyway>
         ))}
-      {!under && <Pieces pieces={pieces} stock={stockMm} onPieces={setPieces} onStock={setStock} />}
-      {state.wire && under && (
-        <div className="stack">
-          <Bar done={state.wire.made} of={state.wire.of} label="Wire" />
-          <span>{progressPhrase(state.wire)}</span>
-          {state.wire.stock_left_mm !== null && (
-            <span className="muted small">{long(state.wire.stock_left_mm)} of wire before this piece</span>
-          )}
-          {otherWire && <p className="muted small">{otherWire}</p>}
-          {state.speed_percent !== null && <Speed percent={state.speed_percent} why={all.speed} />}
-        </div>
-      )}
+      {/* What is set before a wire stays, and what comes with it is below: Pause stands where Start stood. */}
+      <Pieces
+        pieces={pieces}
+        stock={stockMm}
+        why={under ? "A wire is being bent." : null}
+        onPieces={setPieces}
+        onStock={setStock}
+      />
       <div className="row">
         {state.phase === "armed" ? (
           <Button className="grow" why={all.disarm} onClick={() => void order({ order: "disarm" })}>
@@ -139,6 +134,17 @@ export function Wire({ state }: { readonly state: MachineState }) {
           </Button>
         )}
       </div>
+      {state.wire && under && (
+        <div className="stack">
+          <Bar done={state.wire.made} of={state.wire.of} label="Wire" />
+          <span>{progressPhrase(state.wire)}</span>
+          {state.wire.stock_left_mm !== null && (
+            <span className="muted small">{long(state.wire.stock_left_mm)} of wire before this piece</span>
+          )}
+          {otherWire && <p className="muted small">{otherWire}</p>}
+          {state.speed_percent !== null && <Speed percent={state.speed_percent} why={all.speed} />}
+        </div>
+      )}
       {!under && (
         <Button
           why={(despite && all.dryRun === all.noWire ? null : all.dryRun) ?? needsAccept}
