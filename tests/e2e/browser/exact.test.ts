@@ -155,3 +155,44 @@ it("adds a circle, a polygon and a helix from figures", async () => {
   await until(size).toEqual([41, 39]);
   expect((await editor.design()).state.undo).toBe("helix");
 });
+
+it("turns what is selected with an arc of the gizmo, by steps of 15° or by a typed angle", async () => {
+  await editor.loopback.ask("new", {});
+  await editor.loopback.ask("edit", { request: { edit: "draw", through_mm: STRAND.map((at) => [...at]) } });
+  await editor.reload("edit");
+  await edit().locator(".section-phrase", { hasText: "4 vert" }).waitFor();
+  sight = await Sight.from(editor.page, "front", STRAND);
+  await press("a");
+  await edit().locator("p[role=status]").getByText("4 vertices").waitFor();
+  const { mouse } = editor.page;
+  // The mean of the vertices, and 52 px from it halfway between the arrows of x and z.
+  const { x, y } = sight.at([52.5, 0, 40]);
+  const beside = 52 * Math.SQRT1_2;
+  await mouse.move(x + beside, y - beside);
+  await editor.isCleanNow("gizmo-arcs");
+  await mouse.down();
+  await mouse.move(x + 60, y - 2, { steps: 4 });
+  await editor.page.getByText("about y 45.0°").waitFor();
+  await editor.isCleanNow("gizmo-turning");
+  await mouse.move(x + beside, y + beside, { steps: 4 });
+  await editor.page.getByText("about y 90.0°").waitFor();
+  await mouse.up();
+  // Right-handed about y, which points away: z goes to x.
+  await until(async () => (await editor.vertex(2)).map((mm) => Math.round(mm * 1e6) / 1e6)).toEqual([92.5, 0, 32.5]);
+  expect(await apart(1, 2)).toBeCloseTo(80, 9);
+  await press("Control+z");
+  await until(() => editor.vertex(2)).toEqual([60, 0, 80]);
+
+  await mouse.move(x + beside, y - beside);
+  await mouse.down();
+  await mouse.move(x + 60, y - 2, { steps: 4 });
+  for (const key of "-30") await press(key);
+  await editor.page.getByText("about y −30▏°").waitFor();
+  await mouse.up();
+  // From the middle 7.5 to the right and 40 up, turned back by 30°.
+  const [sin, cos] = [Math.sin(-Math.PI / 6), Math.cos(-Math.PI / 6)];
+  await until(() => editor.vertex(2)).not.toEqual([60, 0, 80]);
+  const [left, , up] = await editor.vertex(2);
+  expect(left).toBeCloseTo(52.5 + 7.5 * cos + 40 * sin, 6);
+  expect(up).toBeCloseTo(40 - 7.5 * sin + 40 * cos, 6);
+});

@@ -136,6 +136,11 @@ export class Stage {
     return this.stencilInHand && this.chosen.middle;
   }
 
+  /** About what a selection can be turned: its middle; null where it is a single vertex or a stencil. */
+  get turnsAt(): Vec3 | null {
+    return this.design.moving(this.selected.selection).size > 1 ? this.gizmoAt : null;
+  }
+
   /** The stencil that would move, and its middle: where nothing is selected. */
   get stencilInHand(): ChosenStencil | null {
     const { vertices, edges } = this.selected.selection;
@@ -328,7 +333,7 @@ export class Stage {
     const signs = this.playing ? [] : this.ownSigns(theme);
     this.symbols.show([...signs, ...[...this.signs.values()].flat()]);
     this.guides.show([...this.lines.values()].flat());
-    this.gizmo.show(this.gizmoAt, this.handle);
+    this.gizmo.show(this.gizmoAt, this.handle, this.turnsAt !== null);
     paintPicture(renderer, this.world, this.above, camera.three);
     if (width > 0) this.labels.place(projection, !this.playing);
   }

@@ -1,6 +1,7 @@
 import type { EditRequest } from "../../generated/requests";
-import type { Moved, SceneListener, Stroke, Vec3 } from "../../scene/interface";
+import type { Axis, Moved, SceneListener, Stroke, Vec3 } from "../../scene/interface";
 import { checkDesign, edit, useDesign } from "../../state/design/design";
+import { rotate } from "../../state/design/operations";
 import { select } from "../../state/design/selection";
 import { settled } from "../../state/design/turns";
 import { placeStencil } from "../../state/parts/parts";
@@ -71,6 +72,7 @@ export function listenerOf(corner: () => { readonly left: number; readonly top: 
     hovered: (hovered) => useView.setState({ hovered }),
     dragging: (moved) => checkDesign(moved),
     dropped: (moved) => void dropped(moved),
+    turned: (axis, through, deg) => void turned(axis, through, deg),
     dragCancelled: () => checkDesign(),
     stencilMoved,
     stroke,
@@ -96,7 +98,14 @@ async function dropped(moved: readonly Moved[]): Promise<void> {
     edit: "place",
     positions: moved.map(({ vertex, at }) => ({ vertex, at_mm: [...at] as [number, number, number] })),
   });
-  if (made) return;
+  if (!made) showWhatIsThere();
+}
+
+async function turned(axis: Axis, through: Vec3, deg: number): Promise<void> {
+  if (!(await rotate(axis, through, deg))) showWhatIsThere();
+}
+
+function showWhatIsThere(): void {
   // Refused: the view is given what is there, so that it shows no places that nothing has.
   useDesign.setState(({ vertices }) => ({ vertices: new Map(vertices) }));
   checkDesign();

@@ -154,7 +154,7 @@ export class BodiesStage {
     const outline = this.chosenBody ? edgesOf(this.chosenBody) : [];
     const look = { colour: theme.selected };
     this.guides.show([...outline.map(([from, to]): Guide => ({ from, to, look })), ...this.line]);
-    this.gizmo.show(this.gizmoAt, this.handle);
+    this.gizmo.show(this.gizmoAt, this.handle, false);
     paintPicture(renderer, this.world, this.above, camera.three);
   }
 

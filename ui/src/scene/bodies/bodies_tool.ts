@@ -2,7 +2,7 @@
 
 import type { Axis, BodiesListener, Vec3 } from "../interface";
 import type { Overlay } from "../layers/overlay";
-import { type Handle, handleAt } from "../tools/gizmo_parts";
+import { handleAt, type MoveHandle } from "../tools/gizmo_parts";
 import { Grab, type Surroundings } from "../tools/grab";
 import { FREE } from "../tools/move";
 import type { Place, ToolHandler } from "../tools/pointer";
@@ -15,7 +15,7 @@ const FINE = 0.001;
 
 export class BodiesTool implements ToolHandler {
   grab: Grab | null = null;
-  private pressed: { at: Place; handle: Handle | null; body: number | null } | null = null;
+  private pressed: { at: Place; handle: MoveHandle | null; body: number | null } | null = null;
   private last: Place = { x: 0, y: 0, shift: false, ctrl: false, touch: false };
 
   /** `turn`: the view by so many CSS pixels of a drag. */
@@ -113,12 +113,12 @@ export class BodiesTool implements ToolHandler {
     return true;
   }
 
-  private handleAt({ x, y }: Place): Handle | null {
+  private handleAt({ x, y }: Place): MoveHandle | null {
     const { gizmoAt, projection } = this.stage;
     return gizmoAt && handleAt(projection, gizmoAt, x, y);
   }
 
-  private begin(at: Place, constraint: Handle | typeof FREE): void {
+  private begin(at: Place, constraint: MoveHandle | typeof FREE): void {
     const { stage } = this;
     const { chosen, chosenBody } = stage;
     if (chosen === null || !chosenBody) return;

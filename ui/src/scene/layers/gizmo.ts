@@ -1,4 +1,4 @@
-/** Arrows and squares at the selection, always as large on the screen, to drag along an axis or in a plane. One draw call. */
+/** Arrows, squares and arcs at the selection, always as large on the screen, to drag along an axis, in a plane or around one. One draw call. */
 
 import {
   BufferAttribute,
@@ -11,19 +11,21 @@ import {
   PlaneGeometry,
   Quaternion,
   ShaderMaterial,
+  TorusGeometry,
   Vector3,
 } from "three";
 import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import { GLSL, type Shared } from "../drawing/shading";
 import type { Theme } from "../drawing/theme";
-import type { Vec3 } from "../interface";
-import { ARROW, acrossOf, HANDLES, type Handle, SQUARE } from "../tools/gizmo_parts";
+import type { Axis, Vec3 } from "../interface";
+import { ARC, ARROW, acrossOf, EDGE_ON, HANDLES, type Handle, SQUARE } from "../tools/gizmo_parts";
 import { AXES, add, scale } from "../vec";
 
 const VERTEX = /* glsl */ `
 attribute float part;
 uniform vec3 centre;
 uniform float chosen;
+uniform float turns;
 uniform vec3 axisColours[3];
 uniform vec3 lift;
 varying vec3 vColour;
@@ -33,11 +35,16 @@ ${GLSL}
 void main() {
   float px = pixelAt(-(viewMatrix * vec4(centre, 1.0)).z);
   int axis = int(mod(part + 0.5, 3.0));
-  vFlat = step(2.5, part);
+  vFlat = step(2.5, part) * step(part, 5.5);
   vColour = axisColours[axis];
   if (abs(part - chosen) < 0.5) vColour = lift;
   vNormal = mat3(viewMatrix) * normal;
   gl_Position = projectionMatrix * viewMatrix * vec4(centre + position * px, 1.0);
+  if (part > 5.5) {
+    vec3 about = vec3(axis == 0, axis == 1, axis == 2);
+    // Beside what is seen: those seen edge on, too, which would lie on arrows.
+    if (turns < 0.5 || abs((viewMatrix * vec4(about, 0.0)).z) < ${EDGE_ON}) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  }
 }`;
 
 const FRAGMENT = /* glsl */ `
@@ -55,6 +62,7 @@ export class Gizmo {
   private readonly own = {
     centre: { value: new Vector3() },
     chosen: { value: -1 },
+    turns: { value: 0 },
     axisColours: { value: [new Vector3(), new Vector3(), new Vector3()] },
     lift: { value: new Vector3() },
   };
@@ -67,17 +75,16 @@ export class Gizmo {
       transparent: true,
       side: DoubleSide,
     });
-    const parts = HANDLES.map((handle, number) =>
-      numbered(handle.kind === "axis" ? arrow(AXES[handle.axis]) : square(handle.normal), number),
-    );
+    const parts = HANDLES.map((handle, number) => numbered(partOf(handle), number));
     this.mesh = new Mesh(mergeGeometries(parts), material);
     for (const part of parts) part.dispose();
     this.mesh.frustumCulled = false;
     this.mesh.visible = false;
   }
 
-  /** mm; null hides it. */
-  show(centre: Vec3 | null, active: Handle | null): void {
+  /** mm; null hides it. `turns`: whether it has arcs. */
+  show(centre: Vec3 | null, active: Handle | null, turns: boolean): void {
+    this.own.turns.value = turns ? 1 : 0;
     this.mesh.visible = centre !== null;
     if (centre) this.own.centre.value.set(...centre);
     this.own.chosen.value = active
@@ -94,6 +101,11 @@ export class Gizmo {
     this.mesh.geometry.dispose();
     this.mesh.material.dispose();
   }
+}
+
+function partOf(handle: Handle): BufferGeometry {
+  if (handle.kind === "axis") return arrow(AXES[handle.axis]);
+  return handle.kind === "plane" ? square(handle.normal) : arc(handle.axis);
 }
 
 function arrow(axis: Vec3): BufferGeometry {
@@ -116,6 +128,15 @@ function square(normal: "x" | "y" | "z"): BufferGeometry {
     .makeBasis(new Vector3(...u), new Vector3(...v), new Vector3(...AXES[normal]))
     .setPosition(...centre);
   return new PlaneGeometry(size, size).applyMatrix4(place);
+}
+
+function arc(axis: Axis): BufferGeometry {
+  const rad = Math.PI / 180;
+  const [u, v] = acrossOf(axis).map((name) => AXES[name]) as [Vec3, Vec3];
+  const place = new Matrix4().makeBasis(new Vector3(...u), new Vector3(...v), new Vector3(...AXES[axis]));
+  return new TorusGeometry(ARC.radius, 1.6, 8, 32, (ARC.to_deg - ARC.from_deg) * rad)
+    .rotateZ(ARC.from_deg * rad)
+    .applyMatrix4(place);
 }
 
 function numbered(geometry: BufferGeometry, number: number): BufferGeometry {

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { projectionOf } from "../testing";
-import { handleAt } from "./gizmo_parts";
+import { ARC, handleAt, turnAt } from "./gizmo_parts";
 
 const front = projectionOf("front");
 
@@ -26,4 +26,17 @@ it("is as large on the screen from far away", () => {
   const pixel = far.pixel(deep);
   const seen = far.seen([deep[0], deep[1], deep[2] + 60 * pixel]);
   expect(handleAt(far, deep, seen.x, seen.y)).toEqual({ kind: "axis", axis: "z" });
+});
+
+it("takes hold of the arc about the axis that is looked along, and of none that is seen edge on", () => {
+  const diagonal = ARC.radius * Math.SQRT1_2;
+  expect(turnAt(front, [0, 0, 0], 400 + diagonal, 300 - diagonal)).toEqual({ kind: "turn", axis: "y" });
+  expect(handleAt(front, [0, 0, 0], 400 + diagonal, 300 - diagonal)).toBeNull();
+  // The other quarters have none, nor the middle of the picture, nor the arrows, where the arcs about x and z are lines.
+  for (const [x, y] of [
+    [400 - diagonal, 300 - diagonal],
+    [400, 300],
+    [400 + ARC.radius, 300],
+  ] as const)
+    expect(turnAt(front, [0, 0, 0], x, y)).toBeNull();
 });

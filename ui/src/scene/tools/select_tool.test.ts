@@ -4,6 +4,8 @@ import type { SceneDesign, SceneListener, Vec3 } from "../interface";
 import { Overlay } from "../layers/overlay";
 import { Stage } from "../stage";
 import { designOf, given, MM } from "../testing";
+import { looking } from "../view/orbit";
+import { ARC } from "./gizmo_parts";
 import { SelectTool } from "./select_tool";
 
 const AT: Vec3[] = [
@@ -18,6 +20,7 @@ const ENDS = [
 
 const listener = {
   dropped: vi.fn(),
+  turned: vi.fn(),
   dragging: vi.fn(),
   dragCancelled: vi.fn(),
   stencilMoved: vi.fn(async () => {}),
@@ -112,5 +115,64 @@ describe("a right click", () => {
     tool.context(at(0));
     expect([...stage.selected.selection.vertices]).toEqual([0, 2]);
     expect(listener.menu).toHaveBeenCalledTimes(2);
+  });
+});
+
+describe("an arc of the gizmo", () => {
+  const place = (id: number): number[] => (stage.design.place(id) ?? []).map((mm) => Math.round(mm * 1e6) / 1e6 + 0);
+  /** A place beside the middle, from above, as it is seen. */
+  const beside = (x: number, y: number) => {
+    const [cx, cy, cz] = given(stage.turnsAt);
+    const pixel = stage.projection.pixel([cx, cy, cz]);
+    const { x: left, y: down } = stage.projection.seen([cx + x * pixel, cy + y * pixel, cz]);
+    return { x: left, y: down, shift: false, ctrl: false, touch: false };
+  };
+  const diagonal = ARC.radius * Math.SQRT1_2;
+
+  beforeEach(() => {
+    tool.cancel();
+    for (const heard of Object.values(listener)) heard.mockReset();
+    stage.camera.orbit = looking(stage.camera.orbit, "top");
+    stage.viewMoved();
+    stage.select({ vertices: new Set([0, 1]), edges: new Set() });
+  });
+
+  it("turns the selection about its middle, and tells how far when it is let go", () => {
+    tool.press(beside(diagonal, diagonal));
+    tool.drag(beside(-diagonal, diagonal));
+    expect([place(0), place(1), place(2)]).toEqual([
+      [15, -15, 0],
+      [15, 15, 0],
+      [60, 0, 0],
+    ]);
+    tool.release(beside(-diagonal, diagonal), true);
+    expect(listener.turned).toHaveBeenCalledExactlyOnceWith("z", [15, 0, 0], 90);
+    expect(listener.dropped).not.toHaveBeenCalled();
+  });
+
+  it("turns by a typed angle, about another axis too, and back with Escape", () => {
+    tool.press(beside(diagonal, diagonal));
+    tool.drag(beside(-diagonal, diagonal));
+    press("y");
+    expect([place(0), place(1)]).toEqual([
+      [0, 0, 0],
+      [30, 0, 0],
+    ]);
+    for (const key of "90") press(key);
+    expect([place(0), place(1)]).toEqual([
+      [15, 0, 15],
+      [15, 0, -15],
+    ]);
+    press("Escape");
+    expect([place(0), place(1)]).toEqual([
+      [0, 0, 0],
+      [30, 0, 0],
+    ]);
+    expect(listener.turned).not.toHaveBeenCalled();
+  });
+
+  it("is not there for a single vertex, which it would not move", () => {
+    stage.select({ vertices: new Set([1]), edges: new Set() });
+    expect(stage.turnsAt).toBeNull();
   });
 });

@@ -1,4 +1,4 @@
-/** Selecting and moving with the pointer: clicks, boxes, drags, the gizmo, and a grab that was begun with a key. */
+/** Selecting, moving and turning with the pointer: clicks, boxes, drags, the gizmo, and a grab that was begun with a key. */
 
 import { type Sign, SNAP_SHAPES } from "../drawing/symbols";
 import type { Axis, SceneListener, Selection, SnapKind, Vec3 } from "../interface";
@@ -8,10 +8,11 @@ import { type Picked, pick } from "../picking/picking";
 import { snap } from "../picking/snap";
 import type { Stage } from "../stage";
 import { AXES, along, distance, length, ORIGIN } from "../vec";
-import { type Handle, handleAt } from "./gizmo_parts";
+import { type Handle, handleAt, type MoveHandle, turnAt } from "./gizmo_parts";
 import { Grab, type Surroundings } from "./grab";
 import { FREE } from "./move";
 import type { Place, ToolHandler } from "./pointer";
+import { Turn } from "./turn";
 
 const NOTHING: Selection = { vertices: new Set(), edges: new Set() };
 /** mm that a place may differ by on its way to the design and back. */
@@ -19,7 +20,8 @@ const SAME = 1e-6;
 const NAMES: readonly Axis[] = ["x", "y", "z"];
 
 export class SelectTool implements ToolHandler {
-  grab: Grab | null = null;
+  /** What is in the hand: moved, or turned. */
+  grab: Grab | Turn | null = null;
   private pressed: { at: Place; picked: Picked | null; handle: Handle | null } | null = null;
   private box: Box | null = null;
   /** The stencil that the grab moves; null where it moves vertices. */
@@ -40,8 +42,7 @@ export class SelectTool implements ToolHandler {
       return;
     }
     const { stage } = this;
-    const centre = stage.gizmoAt;
-    const handle = at && centre ? handleAt(stage.projection, centre, at.x, at.y) : null;
+    const handle = at && this.handleAt(at);
     stage.activate(handle);
     const picked = at && !handle && !stage.playing ? pick(stage.design, stage.projection, at.x, at.y, at.touch) : null;
     this.overlay.cursor(handle || picked ? "pointer" : "default");
@@ -52,8 +53,7 @@ export class SelectTool implements ToolHandler {
     this.last = at;
     const { stage } = this;
     if (this.grab || stage.playing) return;
-    const centre = stage.gizmoAt;
-    const handle = centre ? handleAt(stage.projection, centre, at.x, at.y) : null;
+    const handle = this.handleAt(at);
     this.pressed = { at, handle, picked: handle ? null : pick(stage.design, stage.projection, at.x, at.y, at.touch) };
   }
 
@@ -67,7 +67,8 @@ export class SelectTool implements ToolHandler {
     if (!pressed) return;
     if (!this.box && (pressed.handle || pressed.picked)) {
       if (pressed.picked && !this.isSelected(pressed.picked)) this.choose(only(pressed.picked), pressed.at);
-      this.begin(pressed.at, pressed.handle ?? FREE, pressed.picked?.at ?? null);
+      if (pressed.handle?.kind === "turn") this.beginTurn(pressed.at, pressed.handle.axis);
+      else this.begin(pressed.at, pressed.handle ?? FREE, pressed.picked?.at ?? null);
       this.follow();
       return;
     }
@@ -121,8 +122,15 @@ export class SelectTool implements ToolHandler {
   }
 
   lock(axis: Axis | null, plane = false): void {
-    this.grab?.lock(axis, plane);
-    if (this.grab) this.follow();
+    const { grab } = this;
+    if (grab instanceof Grab) grab.lock(axis, plane);
+    else if (axis && grab) {
+      grab.lock(axis);
+      // From where everything was.
+      this.stage.move(grab.moved);
+      this.listener.dragging(grab.moved);
+    }
+    if (grab) this.follow();
   }
 
   /**
@@ -135,7 +143,7 @@ export class SelectTool implements ToolHandler {
     if (!grab) return false;
     if (event.ctrlKey || event.metaKey || event.altKey) return true;
     const axis = NAMES.find((name) => name === event.key.toLowerCase());
-    if (axis) grab.lock(axis, event.shiftKey);
+    if (axis) this.lock(axis, event.shiftKey);
     else if (event.key === "Escape") return this.cancel();
     else if (event.key === "Enter") this.drop();
     else grab.type(event.key);
@@ -171,19 +179,40 @@ export class SelectTool implements ToolHandler {
     return true;
   }
 
-  private begin(at: Place, constraint: Handle | typeof FREE, anchor: Vec3 | null): void {
+  private handleAt({ x, y }: Place): Handle | null {
+    const { gizmoAt, turnsAt, projection } = this.stage;
+    const moves = gizmoAt && handleAt(projection, gizmoAt, x, y);
+    return moves ?? (turnsAt && turnAt(projection, turnsAt, x, y));
+  }
+
+  /** The vertices that a selection moves, by where they are. */
+  private selectedPlaces(): ReadonlyMap<number, Vec3> {
+    const { design, selected } = this.stage;
+    return new Map(
+      [...design.moving(selected.selection)].flatMap((id) => {
+        const place = design.place(id);
+        return place ? [[id, place] as const] : [];
+      }),
+    );
+  }
+
+  private beginTurn(at: Place, axis: Axis): void {
     const { stage } = this;
-    const { design, projection } = stage;
+    const centre = stage.turnsAt;
+    if (!centre) return;
+    this.stencil = null;
+    this.tellHovered(null);
+    this.grab = new Turn(this.selectedPlaces(), centre, axis, stage.lengths);
+    this.grab.follow(at, stage.projection, false);
+    this.overlay.cursor("grabbing");
+  }
+
+  private begin(at: Place, constraint: MoveHandle | typeof FREE, anchor: Vec3 | null): void {
+    const { stage } = this;
+    const { projection } = stage;
     const chosen = stage.stencilInHand;
     this.stencil = chosen?.id ?? null;
-    const from = chosen
-      ? new Map([[chosen.id, chosen.middle] as const])
-      : new Map(
-          [...design.moving(stage.selected.selection)].flatMap((id) => {
-            const place = design.place(id);
-            return place ? [[id, place] as const] : [];
-          }),
-        );
+    const from = chosen ? new Map([[chosen.id, chosen.middle] as const]) : this.selectedPlaces();
     // The vertex nearest to where the drag began is the one that snaps.
     const off = (place: Vec3): number => {
       const seen = projection.seen(place);
@@ -199,23 +228,41 @@ export class SelectTool implements ToolHandler {
   }
 
   private follow(): void {
-    const { grab, stage } = this;
-    if (!grab) return;
+    const { grab } = this;
+    if (grab instanceof Turn) this.followTurn(grab);
+    else if (grab) this.followMove(grab);
+  }
+
+  private followTurn(turn: Turn): void {
+    const { stage } = this;
+    const before = turn.deg;
+    turn.follow(this.last, stage.projection, !this.last.ctrl);
+    this.guide(turn.axis, turn.centre, []);
+    stage.activate({ kind: "turn", axis: turn.axis });
+    this.overlay.readout(turn.readout);
+    if (turn.deg === before) return;
+    stage.move(turn.moved);
+    this.listener.dragging(turn.moved);
+  }
+
+  /** The line of an axis through a place, with signs. */
+  private guide(axis: Axis | null, through: Vec3, signs: readonly Sign[]): void {
+    const { stage } = this;
+    const reach = stage.camera.orbit.distance * 20;
+    const line = (name: Axis) => ({
+      from: along(through, AXES[name], -reach),
+      to: along(through, AXES[name], reach),
+      look: { colour: stage.theme.axes[NAMES.indexOf(name)] ?? stage.theme.edge },
+    });
+    stage.mark("grab", signs, axis ? [line(axis)] : []);
+  }
+
+  private followMove(grab: Grab): void {
+    const { stage } = this;
     const before = grab.by;
     const signs: Sign[] = [];
     grab.follow(this.last, this.surroundings(grab, signs), !this.last.ctrl);
-    const axis = grab.axis;
-    const reach = stage.camera.orbit.distance * 20;
-    const lines = axis
-      ? [
-          {
-            from: along(grab.anchor, AXES[axis], -reach),
-            to: along(grab.anchor, AXES[axis], reach),
-            look: { colour: stage.theme.axes[NAMES.indexOf(axis)] ?? stage.theme.edge },
-          },
-        ]
-      : [];
-    stage.mark("grab", signs, lines);
+    this.guide(grab.axis, grab.anchor, signs);
     stage.activate(grab.constraint.kind === "view" ? null : grab.constraint);
     this.overlay.readout(grab.readout);
     if (distance(before, grab.by) === 0) return;
@@ -266,7 +313,10 @@ export class SelectTool implements ToolHandler {
     this.follow();
     const { stencil } = this;
     this.end();
-    if (stencil !== null) {
+    if (grab instanceof Turn) {
+      if (grab.deg === 0) this.listener.dragCancelled();
+      else this.listener.turned(grab.axis, grab.centre, grab.deg);
+    } else if (stencil !== null) {
       void this.listener.stencilMoved(stencil, grab.by).finally(() => this.stage.moveStencil(ORIGIN));
     } else if (length(grab.by) > 0) this.listener.dropped(grab.moved);
     else this.listener.dragCancelled();

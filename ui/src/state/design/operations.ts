@@ -118,8 +118,8 @@ export async function transform(matrix: Matrix): Promise<void> {
 }
 
 /** Turns the selection, right-handed by degrees about an axis through a point. */
-export async function rotate(axis: Axis, through: Vec3, angle_deg: number): Promise<void> {
-  await edit({ edit: "rotate", vertices: selectedVertices(), axis, through_mm: [...through], angle_deg });
+export async function rotate(axis: Axis, through: Vec3, angle_deg: number): Promise<ViewChange | null> {
+  return edit({ edit: "rotate", vertices: selectedVertices(), axis, through_mm: [...through], angle_deg });
 }
 
 /** Turns the selection by degrees about an edge, right-handed along it from its first vertex to its second. */
