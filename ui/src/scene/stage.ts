@@ -131,7 +131,7 @@ export class Stage {
   /** Where the gizmo is: amid what would move; null where it is not shown. */
   get gizmoAt(): Vec3 | null {
     if (this.tool !== "select" || this.playing || this.struts.shown) return null;
-    const places = this.placesOf(this.selected.selection);
+    const places = [...this.design.placesOf(this.selected.selection).values()];
     if (places.length > 0) return middle(places);
     return this.stencilInHand && this.chosen.middle;
   }
@@ -293,7 +293,7 @@ export class Stage {
   /** Looks at these vertices and edges, or at everything there is. */
   frame(selection: Selection | null): void {
     const { camera } = this;
-    const chosen = selection ? this.placesOf(selection) : [];
+    const chosen = selection ? [...this.design.placesOf(selection).values()] : [];
     const played = this.playback.places;
     const places = played ?? (chosen.length > 0 ? chosen : this.everything());
     camera.orbit = framing(camera.orbit, places, framedAspect(camera.width, camera.height));
@@ -361,10 +361,6 @@ export class Stage {
     const held = this.held.map((at): Sign => ({ at, shape: "square", colour: theme.acted, radius: 8 }));
     if (this.struts.shown) return [...held, ...this.struts.signs];
     return [...this.selected.signs(this.design, this.marks.start, theme), ...held];
-  }
-
-  private placesOf(selection: Selection): Vec3[] {
-    return [...this.design.moving(selection)].map((id) => this.design.place(id)).filter((at) => at !== null);
   }
 
   private redraw(change: Change): void {

@@ -96,6 +96,12 @@ export class DrawnDesign {
     return moving;
   }
 
+  /** The same, each with where it is. */
+  placesOf(selection: Selection): Map<number, Vec3> {
+    const places = [...this.moving(selection)].map((id) => [id, this.place(id)] as const);
+    return new Map(places.filter((each): each is readonly [number, Vec3] => each[1] !== null));
+  }
+
   /** Everything that hangs together with a vertex. */
   connected(vertex: number): Selection {
     const vertices = new Set<number>();

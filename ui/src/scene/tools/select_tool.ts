@@ -185,34 +185,23 @@ export class SelectTool implements ToolHandler {
     return moves ?? (turnsAt && turnAt(projection, turnsAt, x, y));
   }
 
-  /** The vertices that a selection moves, by where they are. */
-  private selectedPlaces(): ReadonlyMap<number, Vec3> {
-    const { design, selected } = this.stage;
-    return new Map(
-      [...design.moving(selected.selection)].flatMap((id) => {
-        const place = design.place(id);
-        return place ? [[id, place] as const] : [];
-      }),
-    );
-  }
-
   private beginTurn(at: Place, axis: Axis): void {
     const { stage } = this;
     const centre = stage.turnsAt;
     if (!centre) return;
     this.stencil = null;
     this.tellHovered(null);
-    this.grab = new Turn(this.selectedPlaces(), centre, axis, stage.lengths);
+    this.grab = new Turn(stage.design.placesOf(stage.selected.selection), centre, axis, stage.lengths);
     this.grab.follow(at, stage.projection, false);
     this.overlay.cursor("grabbing");
   }
 
   private begin(at: Place, constraint: MoveHandle | typeof FREE, anchor: Vec3 | null): void {
     const { stage } = this;
-    const { projection } = stage;
+    const { design, projection } = stage;
     const chosen = stage.stencilInHand;
     this.stencil = chosen?.id ?? null;
-    const from = chosen ? new Map([[chosen.id, chosen.middle] as const]) : this.selectedPlaces();
+    const from = chosen ? new Map([[chosen.id, chosen.middle] as const]) : design.placesOf(stage.selected.selection);
     // The vertex nearest to where the drag began is the one that snaps.
     const off = (place: Vec3): number => {
       const seen = projection.seen(place);
