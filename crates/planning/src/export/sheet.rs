@@ -1,5 +1,6 @@
 //! The job sheet: what is known of a plan or of a job, in words and numbers for a person.
 
+use wirebend_core::checks::Diagnostic;
 use wirebend_core::compensate::ToldStep;
 use wirebend_core::units::{DisplayUnit, Length, Mm};
 use wirebend_files::number::short;
@@ -16,9 +17,6 @@ use crate::pauses;
 use crate::report::{DiagnosticReport, PlanReport, SeverityName};
 use crate::text;
 
-/// What an error is called on the sheet.
-const ERROR: &str = "error";
-
 /// A job sheet as PDF.
 pub(super) fn encode(content: &mut Content, print: &Print) -> Vec<u8> {
     let sheet = text::kept_in(print.unit, || sheet(content, print));
@@ -30,16 +28,15 @@ pub(super) fn encode(content: &mut Content, print: &Print) -> Vec<u8> {
 
 fn sheet(content: &Content, print: &Print) -> JobSheet {
     let setup = &content.setup;
-    let (found, collisions) = collisions(content, print.unit);
+    let Known { found, collides, lines: collisions } = collisions(content, print.unit);
     let mut findings = content.report.as_deref().map(findings).unwrap_or_default();
-    // Whoever holds the sheet is told the same as who checks, exports or arms: a collision that is an error is one here too.
-    let collides = found.iter().any(|finding| finding.severity == ERROR);
     findings.extend(found);
     JobSheet {
         title: content.title.clone(),
         date: Some(print.date()),
         design_hash: content.design_hash.clone(),
         job_hash: content.job_hash.clone(),
+        // Whoever holds the sheet is told the same as who checks, exports or arms: a collision that is an error is one here too.
         feasible: content.feasible && !collides,
         machine: format!("{} [{}]", setup.machine_name(), setup.machine_id()),
         material: format!("{} [{}]", setup.material_name(), setup.material_id()),
@@ -56,15 +53,24 @@ fn sheet(content: &Content, print: &Print) -> JobSheet {
     }
 }
 
-/// What is known of the collisions of each wire: those that are not among the findings of the plan already, and lines where none
-/// are known.
-fn collisions(content: &Content, unit: DisplayUnit) -> (Vec<Finding>, Vec<String>) {
+/// What is known of the collisions of the wires.
+#[derive(Default)]
+struct Known {
+    /// Those that are not among the findings of the plan already.
+    found: Vec<Finding>,
+    /// Whether one of these is an error.
+    collides: bool,
+    /// What is said of wires of which none are known.
+    lines: Vec<String>,
+}
+
+fn collisions(content: &Content, unit: DisplayUnit) -> Known {
     let several = content.wires.len() > 1;
     let report = content.report.as_deref();
     let looked = |index: usize| {
         report.and_then(|report| report.wires().get(index)).is_some_and(|wire| wire.collisions_checked)
     };
-    let (mut findings, mut lines) = (Vec::new(), Vec::new());
+    let mut known = Known::default();
     for (index, wire) in content.wires.iter().enumerate() {
         let (named, of) = if several {
             (format!("wire {}, ", index + 1), format!("wire {}: ", index + 1))
@@ -75,8 +81,9 @@ fn collisions(content: &Content, unit: DisplayUnit) -> (Vec<Finding>, Vec<String
             Some(kept) => match JobCollisions::of(kept, &content.setup) {
                 JobCollisions::Checked { findings: found, .. } if !found.is_empty() => {
                     if !looked(index) {
+                        known.collides |= found.iter().any(Diagnostic::is_error);
                         let found = found.iter().map(DiagnosticReport::from);
-                        findings.extend(found.map(|found| finding(&named, &found)));
+                        known.found.extend(found.map(|found| finding(&named, &found)));
                     }
                     continue;
                 }
@@ -84,9 +91,9 @@ fn collisions(content: &Content, unit: DisplayUnit) -> (Vec<Finding>, Vec<String
             },
             None => vec!["collisions are not checked: there is no compensated program".to_owned()],
         };
-        lines.extend(said.into_iter().map(|line| sentence(&format!("{of}{line}"))));
+        known.lines.extend(said.into_iter().map(|line| sentence(&format!("{of}{line}"))));
     }
-    (findings, lines)
+    known
 }
 
 /// Where the machine waits for a person.
@@ -253,7 +260,7 @@ fn finding(of: &str, diagnostic: &DiagnosticReport) -> Finding {
     let limit = diagnostic.limit_source.as_ref().map(|source| format!(" (limit from {source})"));
     Finding {
         severity: match diagnostic.severity {
-            SeverityName::Error => ERROR,
+            SeverityName::Error => "error",
             SeverityName::Warning => "warning",
             SeverityName::Info => "info",
         },
