@@ -10,6 +10,12 @@ import { Fold } from "../machine/Fold";
 /** px from the end at which new lines still scroll along. */
 const NEAR_END = 24;
 
+const WAYS = {
+  true: { name: "to the machine", sign: "›" },
+  false: { name: "from the machine", sign: "‹" },
+  null: { name: "of this program", sign: "·" },
+} as const;
+
 /** Lines to and from the machine. */
 export function Console() {
   const many = useRun((run) => run.console.length);
@@ -69,12 +75,8 @@ function Lines() {
         {shown.map((line) => (
           <div key={line.id} className={line.toMachine ? "to-machine" : undefined}>
             <time className="console-time">{clockOf(line.at)}</time>{" "}
-            <span
-              className="console-way"
-              aria-label={line.toMachine ? "to the machine" : "from the machine"}
-              role="img"
-            >
-              {line.toMachine ? "›" : "‹"}
+            <span className="console-way" aria-label={WAYS[`${line.toMachine}`].name} role="img">
+              {WAYS[`${line.toMachine}`].sign}
             </span>
             {line.text}
           </div>

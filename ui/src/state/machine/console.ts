@@ -3,7 +3,8 @@
 export interface ConsoleLine {
   /** Counts up, so that a line stays the same one. */
   readonly id: number;
-  readonly toMachine: boolean;
+  /** Null of what is no line on the wire, such as that a stop was pressed which nothing was sent for. */
+  readonly toMachine: boolean | null;
   /** When it was heard, ms since 1970. */
   readonly at: number;
   readonly text: string;
@@ -12,14 +13,15 @@ export interface ConsoleLine {
 /** More are not kept: the oldest go. */
 const MAX_LINES = 2000;
 
-/** Adds lines; what is too much goes at the beginning. */
+/** Adds lines by their time, which may be before that of lines already there; what is too much goes at the beginning. */
 export function withLines(
   lines: readonly ConsoleLine[],
   more: readonly Omit<ConsoleLine, "id">[],
   most = MAX_LINES,
 ): readonly ConsoleLine[] {
-  const first = (lines.at(-1)?.id ?? 0) + 1;
-  return [...lines, ...more.map((line, k) => ({ ...line, id: first + k }))].slice(-most);
+  const first = lines.reduce((largest, { id }) => Math.max(largest, id), 0) + 1;
+  const all = [...lines, ...more.map((line, k) => ({ ...line, id: first + k }))];
+  return all.sort((one, other) => one.at - other.at).slice(-most);
 }
 
 /** Which lines are shown: every word of the filter has to be in the line, whatever its case. */
@@ -40,7 +42,9 @@ export function clockOf(at: number): string {
   return `${two(when.getHours())}:${two(when.getMinutes())}:${two(when.getSeconds())}.${ms}`;
 }
 
-/** The lines as text to be copied: when, and `>` to the machine, `<` from it. */
+const signOf = (toMachine: boolean | null): string => (toMachine === null ? "-" : toMachine ? ">" : "<");
+
+/** The lines as text to be copied: when, and `>` to the machine, `<` from it, `-` neither. */
 export function asText(lines: readonly ConsoleLine[]): string {
-  return lines.map(({ toMachine, at, text }) => `${clockOf(at)} ${toMachine ? ">" : "<"} ${text}`).join("\n");
+  return lines.map(({ toMachine, at, text }) => `${clockOf(at)} ${signOf(toMachine)} ${text}`).join("\n");
 }

@@ -54,9 +54,13 @@ describe("hearOperator", () => {
     hearOperator({ event: "news", news: "console", to_machine: true, text: "M1" });
     hearOperator({ event: "stopped", by: "host", driver_ended: false, took_ms: 100 });
     vi.advanceTimersByTime(100);
-    const [line, stopped] = useRun.getState().console;
+    const [stopped, line] = useRun.getState().console;
     expect(stopped).toMatchObject({ toMachine: true, text: "STOP pressed: sent past the driver" });
     expect((line?.at ?? 0) - (stopped?.at ?? 0)).toBe(100);
+    // Nothing went to a machine whose driver was ended.
+    hearOperator({ event: "stopped", by: "end-of-driver", driver_ended: false, took_ms: 0 });
+    vi.advanceTimersByTime(100);
+    expect(useRun.getState().console.at(-1)).toMatchObject({ toMachine: null });
   });
 
   it("collects lines of the console for a moment, in their order", () => {

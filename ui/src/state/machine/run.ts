@@ -127,7 +127,7 @@ export function hearOperator(event: OperatorEvent): void {
       break;
     case "stopped":
       // Among the lines, when it was pressed: what the machine is sent for it is no line, and comes by the driver or by the program itself.
-      collect({ toMachine: true, at: Date.now() - event.took_ms, text: STOPPED[event.by] });
+      collect({ toMachine: SENT.has(event.by) ? true : null, at: Date.now() - event.took_ms, text: STOPPED[event.by] });
       // Whether the machine stands is reported with the state, once it is known.
       if (event.driver_ended)
         tell(
@@ -155,6 +155,9 @@ const STOPPED: Readonly<Record<Extract<OperatorEvent, { event: "stopped" }>["by"
   "end-of-simulation": "STOP pressed: the simulated machine was ended",
   host: "STOP pressed: sent past the driver",
 };
+
+/** The stops for which the machine is sent something. */
+const SENT: ReadonlySet<keyof typeof STOPPED> = new Set(["driver", "host"]);
 
 function hearProgress(news: Extract<OperatorEvent, { event: "news" }>): void {
   const { state } = useRun.getState();
