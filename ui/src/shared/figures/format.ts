@@ -52,6 +52,17 @@ export function unitName(unit: DisplayUnit): string {
   return unit === "inch" ? "in" : "mm";
 }
 
+/** The least length of those that are shown that is not below `mm`: what has to do when it is typed. */
+export function roundedUp(mm: number, unit: DisplayUnit): number {
+  const least = unitSize(unit) / 10 ** lengthDigits(unit);
+  return Math.ceil(mm / least - 1e-6) * least;
+}
+
+/** The largest length of those that are shown that is not above `mm`: what has to fit when it is typed. */
+export function roundedDown(mm: number, unit: DisplayUnit): number {
+  return -roundedUp(-mm, unit);
+}
+
 /** "601.4 mm", "23.677 in"; `finer`: with so many digits more. */
 export function length(mm: number, unit: DisplayUnit, finer = 0): string {
   return `${lengthNumber(mm, unit, finer)} ${unitName(unit)}`;

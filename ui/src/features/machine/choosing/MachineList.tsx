@@ -8,7 +8,7 @@ import { useDesign } from "../../../state/design/design";
 import { type ComparedIn, compareWith, stopComparing, useMachines, viewOf } from "../../../state/machine/machines";
 import { MachinePicture } from "../picture/MachinePicture";
 import { Comparison } from "./Comparison";
-import { besideBend } from "./fit";
+import { besideBend, leastLength } from "./fit";
 
 /** "±155°" where both sides are the same. */
 export function range([low, high]: readonly [number, number]): string {
@@ -46,7 +46,7 @@ function MachineCard({
   readonly compared: boolean;
 }) {
   const view = useMachines((store) => store.views.get(machine.id) ?? null);
-  const { length, bare, name } = useLengths();
+  const { bare, name, unit } = useLengths();
   // biome-ignore lint/correctness/useExhaustiveDependencies: what was known of it is dropped when profiles change
   useEffect(() => {
     // A driver that cannot be asked is reported with the machine itself.
@@ -65,8 +65,8 @@ function MachineCard({
       <span className="machine-card-text">
         <span className="machine-card-name">{machine.name}</span>
         <span className="muted small">
-          bend {range(machine.bend_deg)} · edge ≥ {length(machine.min_edge_mm)}
-          {besideBend(view, length)}
+          bend {range(machine.bend_deg)} · edge ≥ {leastLength(machine.min_edge_mm, unit)}
+          {besideBend(view, unit)}
         </span>
         <span className="muted small">
           wire {bare(thin)} to {bare(thick)} {name}

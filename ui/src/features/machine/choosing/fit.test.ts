@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { MachineEntry, MaterialEntry } from "../../../generated/responses";
-import { besideBend, figures, misfit } from "./fit";
+import { besideBend, figures, leastLength, misfit } from "./fit";
 
 const material: MaterialEntry = {
   id: "aluminium",
@@ -69,10 +69,18 @@ describe("figures", () => {
 });
 
 it("names what an edge beside a bend needs, rounded up so that it does, where that is more", () => {
-  const mm = (value: number) => `${value.toFixed(1)} mm`;
-  const of = (between: number | null) => besideBend({ min_edge_mm: 20.4, min_edge_between_mm: between }, mm);
+  const of = (between: number | null) => besideBend({ min_edge_mm: 20.4, min_edge_between_mm: between }, "mm");
   expect(of(24.92)).toBe(" (25.0 mm beside a bend of 90°)");
   expect(of(20.4)).toBe("");
   expect(of(null)).toBe("");
-  expect(besideBend(null, mm)).toBe("");
+  expect(besideBend(null, "mm")).toBe("");
+});
+
+it("rounds the least length once, in the unit that is shown, and never below it", () => {
+  // 24.92 mm are 0.98110 in; by way of 25.0 mm it would be 0.984 in.
+  expect(besideBend({ min_edge_mm: 20.4, min_edge_between_mm: 24.92 }, "inch")).toBe(
+    " (0.982 in beside a bend of 90°)",
+  );
+  expect([leastLength(20.41, "mm"), leastLength(20.4, "mm")]).toEqual(["20.5 mm", "20.4 mm"]);
+  expect([leastLength(25.41, "inch"), leastLength(25.4, "inch")]).toEqual(["1.001 in", "1.000 in"]);
 });

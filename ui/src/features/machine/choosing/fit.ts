@@ -1,7 +1,7 @@
 /** Whether a wire fits a machine, and what is known of it. */
 
 import type { MachineEntry, MachineViewResponse, MaterialEntry } from "../../../generated/responses";
-import { type DisplayUnit, length, money, number } from "../../../shared/figures/format";
+import { type DisplayUnit, length, money, number, roundedUp } from "../../../shared/figures/format";
 
 /** Why a wire does not fit a machine; null where it does, or where no machine is chosen. */
 export function misfit(material: MaterialEntry, machine: MachineEntry | null, unit: DisplayUnit): string | null {
@@ -37,15 +37,17 @@ export function figures(material: MaterialEntry, unit: DisplayUnit): readonly Fi
   ];
 }
 
+/** A length that an edge needs at least, rounded up in the unit that is shown: an edge of what is named has to do. */
+export const leastLength = (mm: number, unit: DisplayUnit): string => length(roundedUp(mm, unit), unit);
+
 /** " (25.0 mm beside a bend of 90°)", where that is more: the bend takes its part of the edge, and the feed has a limit too. */
 export function besideBend(
   view: Pick<MachineViewResponse, "min_edge_mm" | "min_edge_between_mm"> | null,
-  length: (mm: number) => string,
+  unit: DisplayUnit,
 ): string {
   const mm = view?.min_edge_between_mm ?? null;
-  // Rounded up: an edge of what is named has to do.
-  const shown = mm === null ? null : length(Math.ceil(mm * 10 - 1e-6) / 10);
-  return view === null || shown === null || shown === length(view.min_edge_mm)
+  const shown = mm === null ? null : leastLength(mm, unit);
+  return view === null || shown === null || shown === leastLength(view.min_edge_mm, unit)
     ? ""
     : ` (${shown} beside a bend of 90°)`;
 }

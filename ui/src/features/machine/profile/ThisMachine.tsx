@@ -8,7 +8,7 @@ import { Line } from "../../../shared/lists/Line";
 import { openCalibration } from "../../../state/calibration/calibration";
 import { useMachines, viewOf } from "../../../state/machine/machines";
 import { openProfile } from "../../../state/machine/profile";
-import { besideBend } from "../choosing/fit";
+import { besideBend, leastLength } from "../choosing/fit";
 import { range } from "../choosing/MachineList";
 import { Fold } from "../Fold";
 import { MachineSettings } from "../settings/MachineSettings";
@@ -78,12 +78,12 @@ export function ThisMachine({ id }: { readonly id: string }) {
 }
 
 function Figures({ view }: { readonly view: MachineViewResponse }) {
-  const { length, long, bare, name } = useLengths();
+  const { length, long, bare, name, unit } = useLengths();
   const [feed, rotate, bend] = view.rates;
   const rows: readonly (readonly [string, string])[] = [
     ["Bend", range(view.bend_deg)],
     ["Rotation", range(view.rotation_deg)],
-    ["Shortest edge", length(view.min_edge_mm) + besideBend(view, length)],
+    ["Shortest edge", leastLength(view.min_edge_mm, unit) + besideBend(view, unit)],
     ["Shortest feed", length(view.min_feed_mm)],
     ["Wire", `${bare(view.diameter_mm[0])} to ${length(view.diameter_mm[1])}`],
     ["Stock", view.max_stock_mm === null ? "any length" : `at most ${long(view.max_stock_mm)}`],
