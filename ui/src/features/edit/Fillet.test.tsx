@@ -6,24 +6,26 @@ const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), 
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
 import type { EditOutcome } from "../../generated/responses";
+import { ShownUnit } from "../../shared/figures/unit";
 import { place } from "../../shared/testing";
 import { useDesign } from "../../state/design/design";
+import { useOutcomes } from "../../state/design/outcomes";
 import { select } from "../../state/design/selection";
 import { designState } from "../../state/testing";
 import { FilletForm } from "./Fillet";
 
 const at = place();
 
-it("is not offered where it would be refused, and says beside the button what fits", async () => {
-  const found: EditOutcome = {
-    outcome: "no-fillet",
-    part: "edges",
-    vertex: 1,
-    length_mm: 3,
-    needed_mm: 20.4,
-    nearest_mm: 12.5,
-  };
-  platform.ask.mockImplementation(async (name: string) => (name === "outcome" ? { outcome: found } : {}));
+const found: EditOutcome = {
+  outcome: "no-fillet",
+  part: "edges",
+  vertex: 1,
+  length_mm: 3,
+  needed_mm: 20.4,
+  nearest_mm: 12.5,
+};
+
+function corners(): void {
   const corner = { support: false };
   useDesign.setState({
     state: designState(),
@@ -38,11 +40,39 @@ it("is not offered where it would be refused, and says beside the button what fi
     ]),
   });
   act(() => select([1]));
+}
+
+it("names a radius in inches that fits, on whichever side of what was asked it is", async () => {
+  // 0.49213 in and 1.57480 in.
+  for (const [nearest_mm, said] of [
+    [12.5, "0.492 in"],
+    [12.6, "0.496 in"],
+    [40, "1.575 in"],
+    [40.3, "1.587 in"],
+  ] as const) {
+    platform.ask.mockImplementation(async () => ({ outcome: { ...found, nearest_mm } }));
+    corners();
+    at.show(
+      <ShownUnit value="inch">
+        <FilletForm key={nearest_mm} />
+      </ShownUnit>,
+    );
+    await act(async () => {});
+    expect(at.host.textContent).toContain(`The nearest radius that fits is ${said}.`);
+    act(() => useOutcomes.setState({ fillet: null }));
+  }
+});
+
+it("is not offered where it would be refused, and says beside the button what fits", async () => {
+  platform.ask.mockImplementation(async (name: string) => (name === "outcome" ? { outcome: found } : {}));
+  corners();
   at.show(<FilletForm />);
   await act(async () => {});
   const button = [...at.host.querySelectorAll("button")].find(({ textContent }) => textContent === "Fillet");
   expect(button?.getAttribute("aria-disabled")).toBe("true");
   expect(at.host.textContent).toContain("The nearest radius that fits is 12.5 mm.");
   act(() => button?.click());
+  const field = at.host.querySelector("input");
+  act(() => void field?.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true })));
   expect(platform.ask).not.toHaveBeenCalledWith("edit", expect.anything());
 });

@@ -1,6 +1,6 @@
 import { Field } from "../../shared/controls/Field";
 import { NumberField } from "../../shared/controls/NumberField";
-import { count } from "../../shared/figures/format";
+import { count, roundedDown, roundedUp } from "../../shared/figures/format";
 import { useLengths } from "../../shared/figures/unit";
 import { tell } from "../../state/asking/problems";
 import { useDesign } from "../../state/design/design";
@@ -47,8 +47,10 @@ function useProspect(radius: number, step: number): Prospect {
 export function FilletForm() {
   const radius = useFigure(30);
   const step = useFigure(15);
-  const { length } = useLengths();
-  const { fits, text, nearest } = useProspect(radius.now, step.now);
+  const { length, unit } = useLengths();
+  const { fits, text, nearest: bound } = useProspect(radius.now, step.now);
+  // What is named is what is taken: it is rounded to where it still fits, away from the radius that does not.
+  const nearest = bound === null ? null : (bound < radius.now ? roundedDown : roundedUp)(bound, unit);
   const why =
     fits !== false
       ? null
@@ -56,7 +58,7 @@ export function FilletForm() {
         ? "No fillet can be made here: see above."
         : `The nearest radius that fits is ${length(nearest)}.`;
   const make = async (by: number) => {
-    if (whyNot("fillet")) return;
+    if (whyNot("fillet") || why) return;
     const made = await fillet(by, step.value);
     if (!made) return;
     const chords = `${count(made.chords, "chord")}, the shortest ${length(made.shortest)}`;
