@@ -65,6 +65,11 @@ describe("a field for a length", () => {
       type(field, text, "a");
       expect(said(), text).toBeUndefined();
     }
+    // Who presses Enter takes it for a number.
+    for (const text of ["-", "12+"]) {
+      type(field, text);
+      expect(said(), text).toContain("or a sum such as 12+3.5");
+    }
     expect(committed).toEqual([]);
   });
 

@@ -142,9 +142,12 @@ export function NumberField({
   const how = quantity(kind, useUnit(), unit);
   const shown = value === null ? "" : how.show(value);
   const [typed, keepTyped] = useState<string | null>(null);
+  /** Enter was pressed on it as it stands. */
+  const [entered, setEntered] = useState(false);
   const inRange = (number: number | null) => (number !== null && number >= min && number <= max ? number : null);
   const setTyped = (text: string | null) => {
     keepTyped(text);
+    setEntered(false);
     onType?.(text === null ? null : inRange(how.read(text)), text !== null);
   };
   /** A menu has taken the focus from it. */
@@ -165,8 +168,8 @@ export function NumberField({
   const limits = outside
     ? `from ${Number.isFinite(min) ? how.show(min) : "any"} to ${Number.isFinite(max) ? how.show(max) : "any"}`
     : how.expected;
-  // What ends so is not written to its end: it is no time to correct it.
-  const halfWritten = typed !== null && /[-\u2212+.,/]\s*$/.test(typed);
+  // What ends so is not written to its end: it is no time to correct it, unless Enter says that it is.
+  const halfWritten = typed !== null && !entered && /[-\u2212+.,/]\s*$/.test(typed);
 
   /** What stands there now; null where it is empty or wrong. */
   const commit = (): number | null => {
@@ -186,9 +189,10 @@ export function NumberField({
   };
   const keys = (event: KeyboardEvent) => {
     if (event.key === "Enter") {
-      const entered = commit();
+      const taken = commit();
+      setEntered(taken === null);
       // A key that is held down asks once.
-      if (entered !== null && !event.repeat) onEnter?.(entered);
+      if (taken !== null && !event.repeat) onEnter?.(taken);
     } else if (event.key === "Escape" && typed !== null) {
       // It would close the dialog that the field is in.
       event.preventDefault();
