@@ -4,10 +4,10 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
-import { useProblems } from "../asking/problems";
+import { tell, useProblems } from "../asking/problems";
 import { machineState } from "../testing";
 import type { MachineState, Question } from "./operator";
-import { answer, hearOperator, isOpen, loadPorts, order, stop, useRun } from "./run";
+import { answer, connect, hearOperator, isOpen, loadPorts, order, stop, useRun } from "./run";
 
 const state = (given: Partial<MachineState> = {}): MachineState => ({
   ...machineState("ready", "home"),
@@ -48,6 +48,17 @@ describe("hearOperator", () => {
     platform.ask.mockResolvedValue({ state: state({ phase: "ready" }) });
     await order({ order: "home" });
     expect(useRun.getState().state?.phase).toBe("ready");
+  });
+
+  it("takes back what it said of a connection when the machine is connected again", async () => {
+    platform.ask.mockResolvedValue({ state: state({ phase: "ready" }) });
+    hearOperator({ event: "stopped", by: "end-of-driver", driver_ended: true, took_ms: 0 });
+    tell("warning", "of something else", "other", true);
+    const codes = () => useProblems.getState().problems.map(({ code }) => code);
+    expect(codes()).toContain("driver-ended");
+    await connect("/dev/ttyUSB0");
+    expect(codes()).toEqual(["other"]);
+    vi.advanceTimersByTime(100);
   });
 
   it("has a stop among the lines, at the time at which it was pressed", () => {

@@ -3,7 +3,7 @@ import type { SimulatedAs } from "../../generated/requests";
 import type { MachineNow, PortEntry, RunEntry } from "../../generated/responses";
 import { platform } from "../../platform";
 import { errorText } from "../../platform/error_text";
-import { tell, told } from "../asking/problems";
+import { dismissAll, tell, told } from "../asking/problems";
 import { asking } from "../asking/work";
 import { ofDesign, useDesign } from "../design/design";
 import { endLive, showDoubt, showLive } from "../program/program";
@@ -100,6 +100,14 @@ export function clearConsole(): void {
   useRun.setState({ console: [] });
 }
 
+/** The codes of messages that stay until the machine is connected again. */
+const lasting = new Set<string>();
+
+function tellLasting(severity: "error" | "warning", message: string, code: string): void {
+  lasting.add(code);
+  tell(severity, message, code, true);
+}
+
 /** Hears what the operator reports. */
 export function hearOperator(event: OperatorEvent): void {
   switch (event.event) {
@@ -130,16 +138,15 @@ export function hearOperator(event: OperatorEvent): void {
       collect({ toMachine: SENT.has(event.by) ? true : null, at: Date.now() - event.took_ms, text: STOPPED[event.by] });
       // Whether the machine stands is reported with the state, once it is known.
       if (event.driver_ended)
-        tell(
+        tellLasting(
           "warning",
           "The driver did not pass STOP on and was ended. Connect the machine again.",
           "driver-ended",
-          true,
         );
       break;
     case "problem":
       // The section shows it beside the buttons that it is about.
-      if (!useUi.getState().open.includes("run")) tell("error", errorText(event), event.code, true);
+      if (!useUi.getState().open.includes("run")) tellLasting("error", errorText(event), event.code);
       break;
     case "news":
       hearProgress(event);
@@ -237,6 +244,9 @@ async function ordered(asked: Promise<MachineNow>): Promise<boolean> {
 
 /** `port` null: the simulated machine. `simulatedAs`: what that one has instead of what its profile says. */
 export function connect(port: string | null, simulatedAs: SimulatedAs = {}): Promise<boolean> {
+  // What was wrong with the connection before is over; what is wrong with this one is said anew.
+  for (const code of lasting) dismissAll(code);
+  lasting.clear();
   useRun.setState({ ended: null, recorded: [] });
   return ordered(asking("connect", { port, simulated_as: { ...simulatedAs } }));
 }
