@@ -1,6 +1,7 @@
 //! `check` and `plan`: a design through the whole pipeline.
 
 mod choice;
+mod head;
 mod observed;
 mod wire;
 
@@ -212,6 +213,8 @@ impl Installation {
         if let [wire] = wires.as_mut_slice() {
             wire.diagnostics.append(&mut design);
             wire.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);
+        } else {
+            design.extend(head::of_all(&mut wires));
         }
         Ok(Planned { opened, setup, components: components.len(), wires, timings, design, pauses })
     }
