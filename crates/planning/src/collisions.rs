@@ -1,6 +1,8 @@
 //! Where the wires of a plan meet their machine or themselves, looked for after all else is planned: that takes the longest, and
 //! whoever asks for it may stop it.
 
+use std::time::{Duration, Instant};
+
 use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_core::checks::Diagnostic;
@@ -9,11 +11,11 @@ use wirebend_core::motion::moments;
 use wirebend_core::plan::{WirePlan, clearance, keep_contacts};
 use wirebend_core::units::Length;
 
-use crate::contacts::first_contacts;
+use crate::contacts::{PATIENCE, first_contacts, not_searched};
 use crate::machine::Setup;
 use crate::plan::Planned;
 use crate::playback::machine_steps;
-use crate::report::DiagnosticReport;
+use crate::report::{DiagnosticReport, NoteReport};
 
 /// A first contact of a wire with one thing that it meets, as it is played.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -80,6 +82,21 @@ impl Planned {
         all.checked = self.collisions_checked();
         all
     }
+
+    /// The same for as long as a person waits for it. A note says so where that was not enough.
+    pub fn find_collisions_in_time(&mut self) -> Option<NoteReport> {
+        self.find_collisions_within(PATIENCE)
+    }
+
+    fn find_collisions_within(&mut self, patience: Duration) -> Option<NoteReport> {
+        let until = Instant::now() + patience;
+        let mut reached = (0, 0);
+        let found = self.find_collisions(&mut |done, of| {
+            reached = (done, of);
+            Instant::now() < until
+        });
+        found.stopped.then(|| not_searched(reached.0, reached.1))
+    }
 }
 
 impl Collisions {
@@ -119,4 +136,27 @@ fn contacts_of(plan: &WirePlan, wire: usize, setup: &Setup, findings: &[Diagnost
         }
     };
     plan.contacts.iter().flatten().zip(findings).map(report).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::DesignInput;
+    use crate::{Installation, NoProgress, PlanChoices};
+
+    /// Whoever waits in vain would take a program that was not looked at for one that is clear.
+    #[test]
+    fn a_search_that_takes_too_long_is_said_to_have_no_end() {
+        let app = Installation::new(&[]).unwrap();
+        let example = format!("{}/../../examples/u-sample.obj", env!("CARGO_MANIFEST_DIR"));
+        let opened = DesignInput::file(example.into()).open(&NoProgress).unwrap();
+        let choices = PlanChoices { machine: Some("wirebend-kit".into()), ..PlanChoices::default() };
+        let mut planned = app.plan_design(opened, &choices, &NoProgress).unwrap();
+        let steps = steps_of(&planned.wires[0]).unwrap();
+        let note = planned.find_collisions_within(Duration::ZERO).unwrap();
+        assert_eq!(note.message, format!("collisions not fully searched: 0 of {steps} steps in 10 s"));
+        assert!(!planned.collisions_checked());
+        assert_eq!(planned.find_collisions_within(Duration::from_mins(1)), None);
+        assert!(planned.collisions_checked());
+    }
 }

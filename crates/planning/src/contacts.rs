@@ -5,17 +5,22 @@ use std::collections::BTreeMap;
 use std::num::NonZero;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
 
 use wirebend_core::clearance::{Clearance, FirstContact};
 use wirebend_core::units::Length;
 use wirebend_error::InputName;
 
 use crate::PlanningError;
+use crate::report::NoteReport;
 
 /// So many steps are looked at in one go: few, so that all are done at about the same time.
 const STEPS: usize = 12;
 /// More do not help: what is shared out has to be set up by each.
 const MAX_THREADS: usize = 4;
+
+/// A person who arms a machine, or writes a file, waits no longer for the search.
+pub(crate) const PATIENCE: Duration = Duration::from_secs(10);
 
 /// How far a wire has to stay from what it could hit, given in mm.
 pub fn collision_margin(mm: f64) -> Result<Length, PlanningError> {
@@ -26,6 +31,20 @@ pub fn collision_margin(mm: f64) -> Result<Length, PlanningError> {
         value: format!("{mm} mm"),
         expected: "zero or more",
     })
+}
+
+/// A search that was not ended is no clean bill.
+pub(crate) fn not_searched(done: usize, of: usize) -> NoteReport {
+    NoteReport {
+        code: "collisions-not-searched".into(),
+        count: of.saturating_sub(done),
+        message: not_searched_text(done, of),
+        remedies: Vec::new(),
+    }
+}
+
+pub(crate) fn not_searched_text(done: usize, of: usize) -> String {
+    format!("collisions not fully searched: {done} of {of} steps in {} s", PATIENCE.as_secs())
 }
 
 /// The first contacts of a wire, as [`Clearance::first_contacts`] has them. `goes_on` is asked again and again, with how many steps are

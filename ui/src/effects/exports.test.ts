@@ -74,3 +74,11 @@ it("keeps what is said of a design while it is saved, and asks anew once it is d
   expect(useExports.getState().despiteErrors).toBe(false);
   expect(useExports.getState().settings.size).toBe(1);
 });
+
+it("keeps with a file that it was not searched for collisions to its end", async () => {
+  const message = "collisions not fully searched: 12 of 340 steps in 10 s";
+  const notes = [{ code: "collisions-not-searched", count: 328, message }];
+  platform.ask.mockResolvedValue({ ...written, notes });
+  await write("/there/a.gcode", false);
+  expect(useExports.getState().written?.notSearched).toMatch(/^Collisions not fully searched: 12 of 340 steps/);
+});

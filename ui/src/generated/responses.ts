@@ -3460,7 +3460,7 @@ export interface RunFileNow {
  */
 export interface RunFileReport {
   /**
-   * Whether the machine can make it, as its profile was when a job was planned.
+   * Whether the machine can make it, as its profile was when a job was planned; a program that collides cannot be made.
    */
   feasible: boolean;
   /**
@@ -3486,7 +3486,7 @@ export interface RunFileReport {
    */
   name: string;
   /**
-   * Errors despite which a job was planned.
+   * Errors despite which a job was planned, and that a program was not searched for collisions to its end.
    */
   notes: NoteReport[];
   /**
@@ -5769,6 +5769,10 @@ export interface ConfirmedPause {
 export interface SavedJob {
   file: string;
   job_hash: string;
+  /**
+   * What a person should know who runs it.
+   */
+  notes: NoteReport[];
 }
 /**
  * The recording that was written.

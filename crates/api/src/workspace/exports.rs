@@ -1,8 +1,8 @@
 //! What can be written of the open design for its machine, and writing it.
 
 use std::path::PathBuf;
-use std::time::{Duration, Instant};
 
+use wirebend_files::document::Job;
 use wirebend_planning::PlanningError;
 use wirebend_planning::plan::Planned;
 
@@ -13,9 +13,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use super::Workspace;
-use crate::{
-    ApiError, ExportFormat, ExportRequest, Input, PlanChoices, PlanRequest, ProblemReport, Progress,
-};
+use crate::{ApiError, ExportFormat, ExportRequest, Input, PlanChoices, ProblemReport, Progress};
 use wirebend_planning::design::DesignInput;
 use wirebend_planning::import::wireframe_obj;
 use wirebend_planning::output::Output;
@@ -23,10 +21,6 @@ use wirebend_planning::report::NoteReport;
 
 /// How much of a file is shown before it is written, in lines.
 const PREVIEW_LINES: usize = 40;
-
-/// Nobody waits longer for the search for collisions. What it has not reached by then, the question before a wire is bent names as not
-/// checked.
-const PATIENCE: Duration = Duration::from_secs(10);
 
 /// Asks what can be written for the machine of the open design.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -105,10 +99,12 @@ pub struct SaveJob {
 }
 
 /// A job that was written.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct SavedJob {
     pub file: PathBuf,
     pub job_hash: String,
+    /// What a person should know who runs it.
+    pub notes: Vec<NoteReport>,
 }
 
 /// Writes the wireframe of the open design as an OBJ, which other programs edit.
@@ -212,10 +208,12 @@ impl Workspace {
             output: asked.output.clone(),
             despite_errors: asked.despite_errors,
         };
+        let mut not_searched = None;
         if asked.output.is_some() || asked.contents {
-            self.require_clear(&asked.format, asked.despite_errors, progress)?;
+            not_searched = self.require_clear(&asked.format, asked.despite_errors, progress)?;
         }
-        let written = wirebend_planning::export::export(&self.installation(), &request, progress)?;
+        let mut written = wirebend_planning::export::export(&self.installation(), &request, progress)?;
+        written.notes.extend(not_searched);
         let begins = |bytes: &Vec<u8>| {
             let text = std::str::from_utf8(bytes).ok()?;
             let lines: Vec<&str> = text.lines().take(PREVIEW_LINES).collect();
@@ -237,24 +235,13 @@ impl Workspace {
     }
 
     pub(crate) fn save_job(&self, asked: &SaveJob, progress: &dyn Progress) -> Result<SavedJob, ApiError> {
-        self.bendable(asked.despite_errors, progress)?;
-        let request = PlanRequest {
-            design: self.as_input()?,
-            choices: PlanChoices::default(),
-            output: Some(asked.output.clone()),
-            make_job: false,
-            pauses: Vec::new(),
-            sag: false,
-            despite_errors: asked.despite_errors,
-        };
-        let planned = wirebend_planning::plan::plan(&self.installation(), &request, progress)?;
-        match (planned.output, planned.job_hash) {
-            (Some(file), Some(job_hash)) => Ok(SavedJob { file, job_hash }),
-            _ => {
-                Err(PlanningError::NotFeasible { machine: planned.machine, report: Box::new(planned.report) }
-                    .into())
-            }
-        }
+        asked.output.check()?;
+        // Who takes the job along sees in it what a person has accepted, a collision too.
+        let (planned, not_searched) =
+            if asked.despite_errors { self.searched(progress)? } else { self.bendable(false, progress)? };
+        let job = job_of(&planned)?;
+        let file = asked.output.save(&job.to_bytes()?)?;
+        Ok(SavedJob { file, job_hash: job.hash().to_owned(), notes: not_searched.into_iter().collect() })
     }
 
     pub(crate) fn save_wireframe(
@@ -266,21 +253,31 @@ impl Workspace {
         Ok(SavedWireframe { file: asked.output.save(&text)? })
     }
 
-    /// The open design, planned, where its machine can bend it or a person wants it all the same. Whatever a machine is to run comes
-    /// through here, so that none of it says otherwise than *Check*: a collision is an error here as there.
-    fn bendable(&self, despite_errors: bool, progress: &dyn Progress) -> Result<Planned, ApiError> {
-        let (_, mut planned) = self.planned(progress)?;
+    /// The open design, planned, where its machine can bend it or a person wants it all the same; with a note where the search for
+    /// collisions has not ended. Whatever a machine is to run comes through here, so that none of it says otherwise than *Check*: a
+    /// collision is an error here as there.
+    fn bendable(
+        &self,
+        despite_errors: bool,
+        progress: &dyn Progress,
+    ) -> Result<(Planned, Option<NoteReport>), ApiError> {
         if despite_errors {
-            return Ok(planned);
+            return Ok((self.planned(progress)?.1, None));
         }
-        progress.stage("checking for collisions");
-        let until = Instant::now() + PATIENCE;
-        planned.find_collisions(&mut |_, _| Instant::now() < until);
+        let (planned, not_searched) = self.searched(progress)?;
         if !planned.feasible() {
             let (machine, report) = (planned.setup.machine_id().to_owned(), Box::new(planned.report()));
             return Err(PlanningError::NotFeasible { machine, report }.into());
         }
-        Ok(planned)
+        Ok((planned, not_searched))
+    }
+
+    /// The open design, planned and searched for collisions; with a note where that has not ended.
+    fn searched(&self, progress: &dyn Progress) -> Result<(Planned, Option<NoteReport>), ApiError> {
+        let (_, mut planned) = self.planned(progress)?;
+        progress.stage("checking for collisions");
+        let not_searched = planned.find_collisions_in_time();
+        Ok((planned, not_searched))
     }
 
     /// Refuses to write a program of what [`Workspace::bendable`] refuses; pictures and models are written of anything.
@@ -289,31 +286,36 @@ impl Workspace {
         format: &str,
         despite_errors: bool,
         progress: &dyn Progress,
-    ) -> Result<(), ApiError> {
+    ) -> Result<Option<NoteReport>, ApiError> {
         if despite_errors {
-            return Ok(());
+            return Ok(None);
         }
         let (app, opened) = (self.installation(), self.copy());
         let setup = app.setup_of(&opened, &PlanChoices::default())?;
         if wirebend_planning::export::is_program(&app, format, &setup)? {
-            self.bendable(despite_errors, progress)?;
+            return Ok(self.bendable(despite_errors, progress)?.1);
         }
-        Ok(())
+        Ok(None)
     }
 
-    /// The job of the open design, or of what is open to be run, as a run takes it.
+    /// The job of the open design, or of what is open to be run, as a run takes it. What was not searched is said in the question
+    /// before it is bent.
     pub(crate) fn job(&self, despite_errors: bool, progress: &dyn Progress) -> Result<Input, ApiError> {
         if let Some(file) = self.run_file() {
             return file.job(despite_errors);
         }
-        let planned = self.bendable(despite_errors, progress)?;
-        let unreached = || PlanningError::StageNotReached {
-            stage: crate::StageName::Compensated,
-            report: Box::new(planned.report()),
-        };
-        let job = planned.job()?.ok_or_else(unreached)?;
+        let (planned, _) = self.bendable(despite_errors, progress)?;
+        let job = job_of(&planned)?;
         let name = &planned.opened.name;
         let stem = name.strip_suffix(".wirebend").unwrap_or(name);
         Ok(Input::Bytes { name: format!("{stem}.wbjob"), bytes: job.to_bytes()? })
     }
+}
+
+/// The job of a plan, where every wire was compensated.
+fn job_of(planned: &Planned) -> Result<Job, PlanningError> {
+    planned.job()?.ok_or_else(|| PlanningError::StageNotReached {
+        stage: crate::StageName::Compensated,
+        report: Box::new(planned.report()),
+    })
 }

@@ -52,11 +52,11 @@ pub struct RunFileReport {
     pub wires: Vec<RunFileWire>,
     /// How many moves a recording has.
     pub moves: usize,
-    /// Whether the machine can make it, as its profile was when a job was planned.
+    /// Whether the machine can make it, as its profile was when a job was planned; a program that collides cannot be made.
     pub feasible: bool,
     /// What the checks say of its wires, errors first.
     pub findings: Vec<DiagnosticReport>,
-    /// Errors despite which a job was planned.
+    /// Errors despite which a job was planned, and that a program was not searched for collisions to its end.
     pub notes: Vec<NoteReport>,
 }
 
@@ -146,7 +146,13 @@ impl Workspace {
             (kind, job_of_file(&app, &name, &bytes, of)?, 0)
         };
         let setup = restored(&name, job.contents())?;
-        let wires = GivenWires::of(&name, &job, &setup)?;
+        let mut wires = GivenWires::of(&name, &job, &setup)?;
+        let mut notes = if kind == RunFileKind::Job { accepted_errors(job.contents()) } else { Vec::new() };
+        // Nobody has looked at a program before: one that collides is refused like a design that does.
+        if kind == RunFileKind::Program {
+            progress.stage("checking for collisions");
+            notes.extend(wires.find_collisions(&setup));
+        }
         let (path, own) = match &asked.file {
             Input::File(path) => (Some(path.clone()), crate::workspace::name_of(path)),
             Input::Bytes { name, .. } => (None, name.clone()),
@@ -162,7 +168,7 @@ impl Workspace {
             moves,
             feasible: wires.feasible(),
             findings: wires.findings().map(DiagnosticReport::from).collect(),
-            notes: if kind == RunFileKind::Job { accepted_errors(job.contents()) } else { Vec::new() },
+            notes,
         };
         if let Some(path) = path {
             self.remember(&path);

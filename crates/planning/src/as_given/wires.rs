@@ -1,10 +1,12 @@
 //! The wires of a job as they are: played, and held against the limits of its machine. Nothing is planned anew.
 
+use std::time::Instant;
+
 use nalgebra::Point3;
 use wirebend_core::bend::{NominalProgram, program_of_path};
 use wirebend_core::checks::Diagnostic;
 use wirebend_core::compensate::CompensatedProgram;
-use wirebend_core::plan::{WirePlan, check_given};
+use wirebend_core::plan::{WirePlan, check_given, clearance, keep_contacts};
 use wirebend_core::route::{Doubling, Route};
 use wirebend_core::schedule::ScheduledProgram;
 use wirebend_core::units::{Angle, Length};
@@ -12,10 +14,12 @@ use wirebend_core::wireframe::{Component, Vertex, VertexId, Wireframe};
 use wirebend_files::document::{Job, JobPause, JobWire};
 
 use crate::PlanningError;
+use crate::contacts::first_contacts;
+use crate::contacts::{PATIENCE, not_searched};
 use crate::machine::{Setup, kept_steps, told_steps};
 use crate::pauses;
 use crate::playback::{PlayedWire, played};
-use crate::report::{DiagnosticReport, PlanReport, WireReport};
+use crate::report::{DiagnosticReport, NoteReport, PlanReport, WireReport};
 
 /// The wires of a job, each with the stages that the job has kept.
 pub struct GivenWires {
@@ -43,6 +47,31 @@ impl GivenWires {
             pauses::show(pauses, wire);
         }
         wires
+    }
+
+    /// Looks where the wires meet the machine or themselves, for as long as a person waits for it, and adds what the checks say of
+    /// it. A note says so where that was not enough.
+    pub fn find_collisions(&mut self, setup: &Setup) -> Option<NoteReport> {
+        let until = Instant::now() + PATIENCE;
+        let steps = |plan: &WirePlan| plan.scheduled.as_ref().map_or(0, |program| program.steps.len());
+        let of = self.wires.iter().map(|(_, plan)| steps(plan)).sum();
+        let mut done = 0;
+        for (wireframe, plan) in &mut self.wires {
+            let Some(clearance) = clearance(wireframe, &setup.model, plan, Length::ZERO) else { continue };
+            let mut reached = done;
+            let contacts = first_contacts(&clearance, |step| {
+                reached = done + step;
+                Instant::now() < until
+            });
+            if contacts.is_none() {
+                return Some(not_searched(reached, of));
+            }
+            let findings = keep_contacts(wireframe, &setup.model, plan, contacts, Length::ZERO);
+            plan.diagnostics.extend(findings);
+            plan.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);
+            done += steps(plan);
+        }
+        None
     }
 
     /// What the checks say of all wires, errors first.

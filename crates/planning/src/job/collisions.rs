@@ -14,13 +14,12 @@ use wirebend_core::wireframe::{EdgeId, VertexId};
 use wirebend_files::document::JobWire;
 
 use crate::contacts::first_contacts;
+use crate::contacts::{PATIENCE, not_searched_text};
 use crate::machine::{Setup, kept_steps, told_steps};
 use crate::text;
 
 /// So many are named.
 const MAX_NAMED: usize = 3;
-/// A person who arms a machine, or writes a sheet, waits no longer for it.
-const PATIENCE: Duration = Duration::from_secs(10);
 
 /// What is known of where the wire of a job meets the machine or itself.
 pub enum JobCollisions {
@@ -33,6 +32,11 @@ pub enum JobCollisions {
         /// How many of them have dimensions that were not measured.
         estimates: usize,
     },
+    /// It takes longer than a person waits.
+    Unfinished {
+        /// How many steps were looked at, of how many.
+        steps: [usize; 2],
+    },
     /// It could not be looked at.
     Unknown {
         /// Why: a clause.
@@ -43,14 +47,23 @@ pub enum JobCollisions {
 impl JobCollisions {
     /// Of a wire on the machine of its job.
     pub fn of(wire: &JobWire, setup: &Setup) -> Self {
+        Self::within(PATIENCE, wire, setup)
+    }
+
+    fn within(patience: Duration, wire: &JobWire, setup: &Setup) -> Self {
         let wire = match scheduled(wire, setup) {
             Ok(wire) => wire,
             Err(why) => return Self::Unknown { why },
         };
-        let until = Instant::now() + PATIENCE;
+        let until = Instant::now() + patience;
         let clearance = wire.clearance(&setup.model, Length::ZERO);
-        let Some(contacts) = first_contacts(&clearance, |_| Instant::now() < until) else {
-            return Self::Unknown { why: format!("looking for them takes longer than {PATIENCE:?}") };
+        let mut reached = 0;
+        let contacts = first_contacts(&clearance, |done| {
+            reached = done;
+            Instant::now() < until
+        });
+        let Some(contacts) = contacts else {
+            return Self::Unfinished { steps: [reached, clearance.steps()] };
         };
         let findings = wire.check(&setup.model, contacts, Length::ZERO);
         let bodies = &setup.model.bodies.all;
@@ -67,6 +80,7 @@ impl JobCollisions {
     /// first.
     pub fn lines(&self) -> Vec<String> {
         match self {
+            Self::Unfinished { steps: [done, of] } => vec![not_searched_text(*done, *of)],
             Self::Unknown { why } => vec![format!("collisions are not checked: {why}")],
             Self::Checked { findings, bodies, estimates } if findings.is_empty() => {
                 vec![none_found(*bodies, *estimates)]
@@ -175,6 +189,8 @@ mod tests {
         assert!(lines(1, 6, 6)[0].starts_with("the wire goes "), "{:?}", lines(1, 6, 6));
         assert_eq!(lines(4, 6, 6)[3], "and 1 more collision");
         assert_eq!(lines(5, 6, 6)[3], "and 2 more collisions");
+        let said = JobCollisions::within(Duration::ZERO, &wire, &planned.setup).lines();
+        assert!(said[0].starts_with("collisions not fully searched: "), "{said:?}");
         wire.spans.pop();
         let said = JobCollisions::of(&wire, &planned.setup).lines();
         assert_eq!(said, ["collisions are not checked: the job does not say along what each step runs"]);

@@ -51,6 +51,7 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
   const withheld = format.program && infeasible && !despiteErrors ? "The machine cannot bend this: see above." : null;
   const why = busy ? "The file is being written." : refused ? refused.message : withheld;
   const done = written?.format === format.id ? written.files : [];
+  const notSearched = done.length > 0 ? written?.notSearched : null;
   const answer = useRef<HTMLDivElement>(null);
   const [before] = useState(written);
   const arrived = preview?.format === format.id;
@@ -113,6 +114,11 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
             <span className="selectable">{file}</span>
           </p>
         ))}
+        {notSearched && (
+          <ul>
+            <Line tone="warning" what={notSearched} sub="Watch the machine, with STOP at hand." />
+          </ul>
+        )}
       </div>
     </div>
   );

@@ -23,8 +23,12 @@ interface ExportsStore {
   readonly despiteErrors: boolean;
   readonly preview: Preview | null;
   readonly previewing: boolean;
-  /** What was written last, by format. */
-  readonly written: { readonly format: string; readonly files: readonly string[] } | null;
+  /** What was written last, by format, and what was not looked at for it. */
+  readonly written: {
+    readonly format: string;
+    readonly files: readonly string[];
+    readonly notSearched: string | null;
+  } | null;
 }
 
 interface Preview {
@@ -154,8 +158,11 @@ export async function write(path: string, force: boolean): Promise<boolean> {
   const output = { path, force };
   const before = forgotten;
   const asked = asking("export", { format: format.id, settings, despite_errors: store.despiteErrors, output });
-  const { files } = await ofDesign(asked);
-  if (before === forgotten) useExports.setState({ written: { format: format.id, files } });
+  const { files, notes } = await ofDesign(asked);
+  // What the preview says too is not said again.
+  const note = notes.find(({ code }) => code === "collisions-not-searched");
+  const written = { format: format.id, files, notSearched: note ? errorText(note) : null };
+  if (before === forgotten) useExports.setState({ written });
   return true;
 }
 

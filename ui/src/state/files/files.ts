@@ -318,7 +318,9 @@ export async function saveJob(): Promise<void> {
   if (!path) return;
   const asked = asking("save-job", { output: { path, force: true }, despite_errors: despiteErrors });
   const saved = await told(ofDesign(asked));
-  if (saved) tell("info", `The job is in ${saved.file}.`, "job-saved");
+  if (!saved) return;
+  tell("info", `The job is in ${saved.file}.`, "job-saved");
+  for (const note of saved.notes) tell("warning", errorText(note), note.code);
 }
 
 /** Writes the wires as lines for another program. */

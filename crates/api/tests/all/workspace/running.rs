@@ -80,6 +80,19 @@ fn a_collision_is_the_same_error_for_the_check_a_program_a_job_the_sheet_and_arm
     // A person who wants it all the same gets it, and is told once more before anything moves.
     window.ask("export", program(true, "wanted.txt"));
     window.ask("save-job", job(true, "wanted.wbjob"));
+    let file = |name: &str| window.home.path().join(name);
+    let kept: Value = serde_json::from_slice(&std::fs::read(file("wanted.wbjob")).unwrap()).unwrap();
+    assert!(kept["objections"].to_string().contains("still to be bent"), "{}", kept["objections"]);
+    // The program in a file is the same wire as the design.
+    let opened = window.ask("open-run-file", json!({"file": {"file": file("wanted.txt")}}));
+    assert_eq!(opened["file"]["feasible"], json!(false), "{opened}");
+    assert!(opened["file"]["findings"].to_string().contains("meets_stock"), "{opened}");
+    for order in ["arm", "dry-run"] {
+        let asked = json!({"request": {"order": order, "wire": 0, "despite_errors": false}});
+        let refusal = window.try_ask("order", asked).map(|_| order).unwrap_err();
+        assert_eq!(serde_json::to_value(&refusal).unwrap()["code"], json!("not-feasible"), "{order}");
+    }
+    window.ask("close-run-file", json!({}));
     window.ask("order", arm(true));
     let asked = window.until(|state| state["question"].is_object());
     assert!(

@@ -36,7 +36,7 @@ beforeEach(() => {
   drawn = [];
   platform.ask.mockReset();
   platform.ask.mockImplementation(async (_: string, { output }: { output?: { path: string } }) =>
-    output ? { files: [output.path], contents: [] } : { files: [], contents: [btoa("%PDF-1.7")] },
+    output ? { files: [output.path], notes: [], contents: [] } : { files: [], contents: [btoa("%PDF-1.7")] },
   );
   platform.pickSave.mockReset();
   openPages.mockReset();
