@@ -84,6 +84,16 @@ describe("what comes first", () => {
     expect(kindAt(-50, -60)).toBe("surface");
   });
 
+  it("is the corner of the stencil before a vertex behind it at its rim, which is not covered there", () => {
+    const seen = (y: number) => {
+      const design = drawn(designOf([[100.4, y, 100.4]], []));
+      return kindAt(100, 100, undefined, { design });
+    };
+    expect([seen(80), seen(0), seen(-5)]).toEqual(["stencil-vertex", "vertex", "vertex"]);
+    const design = drawn(designOf([[100.4, 80, 100.4]], []));
+    expect(kindAt(100, 100, ["vertex", "surface"], { design })).toBe("vertex");
+  });
+
   it("is what is switched on", () => {
     expect(kindAt(3, 53, ["edge", "surface"])).toBe("edge");
     expect(kindAt(97, 96, ["surface", "grid"])).toBe("surface");

@@ -25,6 +25,9 @@ export const DEFAULT_SNAP: SnapSettings = {
   reach: 10,
 };
 
+/** Places of which one is in front of the other: so near on the screen, CSS pixels, and so far apart from the eye, mm. */
+const TOGETHER = { pixels: 1, depth_mm: 0.01 };
+
 /** Between the directions that an edge is kept to, degrees. */
 const STEP = 15;
 
@@ -74,7 +77,10 @@ export function snap(place: SnapPlace, settings: SnapSettings, x: number, y: num
   const covered = (at: Vec3): boolean => stencil?.hides(projection, at) ?? false;
   if (kinds.has("vertex")) {
     const found = pickVertex(design, projection, x, y, reach, (id) => without.vertices.has(id));
-    if (found && !covered(found.at)) return { kind: "vertex", at: found.at, vertex: found.id };
+    const corner = found && kinds.has("stencil-vertex") ? stencil?.near(projection, x, y, reach).vertex : null;
+    // A vertex on the far rim of a cylinder that is seen from its end is behind the near rim, and no face covers it.
+    const behind = found && corner && isInFront(projection, corner, found.at);
+    if (found && !behind && !covered(found.at)) return { kind: "vertex", at: found.at, vertex: found.id };
   }
   const line = kinds.has("construction") ? onLines(place.construction, projection, x, y, reach) : null;
   if (line?.point && !covered(line.point)) return { kind: "construction", at: line.point };
@@ -113,6 +119,12 @@ function onLines(
   if (!best) return null;
   const points = [...best.line, middle(best.line)];
   return { at: best.at, point: points.find((point) => within(projection, point, x, y, reach)) ?? null };
+}
+
+/** Whether a place is seen where another one is, and nearer to the eye. */
+function isInFront(projection: Projection, place: Vec3, other: Vec3): boolean {
+  const [a, b] = [projection.seen(place), projection.seen(other)];
+  return Math.hypot(a.x - b.x, a.y - b.y) <= TOGETHER.pixels && a.depth < b.depth - TOGETHER.depth_mm;
 }
 
 /** Whether the pointer is so near to a place, in CSS pixels. */
