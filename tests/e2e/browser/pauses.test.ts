@@ -35,7 +35,7 @@ it("stands at a pause point that was set in the step table, and goes on when a p
   const standing = await machine();
   expect([standing?.wire?.made, standing?.wire?.sent]).toEqual([2, 2]);
   await editor.isCleanNow("pause-asked");
-  await dialog().getByRole("button", { name: "Continue", exact: true }).click();
+  await dialog().getByRole("button", { name: "Resume", exact: true }).click();
   await until(async () => (await machine())?.busy).toBe(false);
   const finished = await machine();
   expect(finished?.wire?.made).toBe(finished?.wire?.of);

@@ -14,7 +14,7 @@ const WORDS: Readonly<Record<Exclude<Question["kind"], "doubt">, readonly [strin
   arm: ["Arm the machine", "Do not arm", "Arm"],
   piece: ["The next piece", "End here", "Bend it"],
   "go-on": ["The wire is about to resume", "Do not resume", "Resume"],
-  pause: ["Pause point", "Stop the wire", "Continue"],
+  pause: ["Pause point", "Stop the wire", "Resume"],
   said: ["Confirm your earlier answer", "It is different", "It is right"],
   settings: ["The machine's settings are about to be written", "Do not write", "Write"],
   head: ["Look at the head", "I do not know", "It stands there"],
