@@ -1,8 +1,13 @@
 // @vitest-environment happy-dom
 import { act } from "react";
-import { beforeEach, expect, it, vi } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
 
-const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
+const platform = vi.hoisted(() => ({
+  ask: vi.fn(),
+  stop: vi.fn(async () => {}),
+  listen: vi.fn(),
+  pickSave: vi.fn(async (): Promise<string | null> => "/there/moves.wbmoves"),
+}));
 vi.mock("../../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
 import { place } from "../../../shared/testing";
@@ -39,4 +44,31 @@ it("does not replay where the machine takes no replay, although it could be move
   expect(replay()?.getAttribute("aria-disabled")).toBe("true");
   act(() => replay()?.click());
   expect(orders()).toEqual([]);
+});
+
+describe("making a design of what was just recorded", () => {
+  const press = async () => {
+    at.show(<Recording state={machineState("ready", "jog", "replay")} record={false} />);
+    await act(async () =>
+      [...at.host.querySelectorAll("button")].find(({ textContent }) => textContent === "Make it a design…")?.click(),
+    );
+    return platform.ask.mock.calls.filter(([name]) => name !== "window").map(([name, asked]) => [name, asked]);
+  };
+  beforeEach(() => {
+    platform.ask.mockImplementation((name: string) =>
+      name === "save-recording" ? Promise.resolve({ file: "/there/moves.wbmoves" }) : new Promise(() => {}),
+    );
+  });
+
+  it("saves the moves, and opens the file that they are in", async () => {
+    expect(await press()).toEqual([
+      ["save-recording", { output: { path: "/there/moves.wbmoves", force: true } }],
+      ["look", { design: { input: { file: "/there/moves.wbmoves" } } }],
+    ]);
+  });
+
+  it("opens nothing where no file is chosen", async () => {
+    platform.pickSave.mockResolvedValueOnce(null);
+    expect(await press()).toEqual([]);
+  });
 });

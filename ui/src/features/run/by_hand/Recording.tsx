@@ -6,6 +6,7 @@ import { useUnit } from "../../../shared/figures/unit";
 import { Mark } from "../../../shared/lists/Mark";
 import { Scrolls } from "../../../shared/lists/Scrolls";
 import { told } from "../../../state/asking/problems";
+import { openPath } from "../../../state/files/files";
 import type { MachineState } from "../../../state/machine/operator";
 import { clearRecording, order, saveRecording, useRun } from "../../../state/machine/run";
 import { buttons } from "../buttons";
@@ -27,7 +28,14 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
   const none = recorded.length === 0 ? "No moves are recorded." : null;
   const save = async () => {
     const path = await told(platform.pickSave("moves.wbmoves", MOVES));
-    if (path !== null) setFile(await saveRecording(path));
+    const saved = path === null ? null : await saveRecording(path);
+    if (saved !== null) setFile(saved);
+    return saved;
+  };
+  // A design says which file it comes from: the moves are in one before it is made.
+  const makeDesign = async () => {
+    const saved = await save();
+    if (saved !== null) await openPath(saved);
   };
   const replayFile = async () => {
     const picked = await told(platform.pickFile([MOVES]));
@@ -77,6 +85,14 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
         </Button>
         <Button small why={none} onClick={() => void save()}>
           Save…
+        </Button>
+        <Button
+          small
+          why={none}
+          title="Saves the moves first, then opens the shape that they leave"
+          onClick={() => void makeDesign()}
+        >
+          Make it a design…
         </Button>
         <Button
           small
