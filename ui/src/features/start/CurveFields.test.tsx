@@ -36,9 +36,16 @@ describe("how curves are cut", () => {
     const changed = vi.fn();
     at.show(<CurveFields cutting={cuttingFor(look)} look={look} pending={false} onChange={changed} />);
     expect(at.host.textContent).toContain("What WireBend-kit can make");
+    expect(at.host.textContent).toContain("Its bend radius is 3.0 mm.");
     expect(at.host.querySelector("[role=status]")?.textContent).toMatch(/Largest deviation1\.8.* mm.*6 edges, 5 bends/);
     act(() => at.host.querySelector<HTMLInputElement>("input[type=checkbox]")?.click());
     expect(changed).toHaveBeenCalledWith({ tolerance: 0.1, limited: false, shortest: 27.3 });
+  });
+
+  it("names the bend radius of the machine beside a shortest edge of one\u2019s own, too", () => {
+    const cutting = { tolerance: 0.1, limited: true, shortest: 40 };
+    at.show(<CurveFields cutting={cutting} look={look} pending={false} onChange={() => {}} />);
+    expect(at.host.textContent).toMatch(/WireBend-kit can make 27\.2 mm .* Its bend radius is 3\.0 mm\./);
   });
 
   it("promises no more than the tolerance where edges may be of any length", () => {

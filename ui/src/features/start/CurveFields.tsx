@@ -47,9 +47,11 @@ export function CurveFields({
   const own = machine_edges && Math.abs(cuttingFor(look).shortest - cutting.shortest) < 0.05;
   const hint =
     machine && machine_edges
-      ? own
-        ? `What ${machine} can make between bends of up to 90°.`
-        : `${machine} can make ${length(machine_edges.shortest_edge_mm)} between bends of up to 90°.`
+      ? `${
+          own
+            ? `What ${machine} can make between bends of up to 90°.`
+            : `${machine} can make ${length(machine_edges.shortest_edge_mm)} between bends of up to 90°.`
+        } Its bend radius is ${length(machine_edges.bend_radius_mm)}.`
       : "Choose a machine to use its limit.";
   return (
     <>
