@@ -165,7 +165,7 @@ fn joints(flow: &mut Flow, sheet: &JobSheet) {
 fn checks(flow: &mut Flow, sheet: &JobSheet) {
     flow.heading("Checks", 8.0);
     if sheet.findings.is_empty() {
-        let verdict = if sheet.feasible { "No errors, no warnings." } else { "See the notes." };
+        let verdict = if sheet.feasible { "No problems found." } else { "See the notes." };
         flow.text(verdict, Type::new(3.2));
     }
     if sheet.feasible {
