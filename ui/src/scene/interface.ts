@@ -176,8 +176,8 @@ export interface SceneListener {
   dragging(moved: readonly Moved[]): void;
   /** The drag is over: one edit. The scene shows the new places until the design that it is given has them. */
   dropped(moved: readonly Moved[]): void;
-  /** The same of a selection that was turned by degrees about an axis through a place, right-handed. */
-  turned(axis: Axis, through: Vec3, deg: number): void;
+  /** The same of vertices that were turned by degrees about an axis through a place, right-handed. */
+  turned(vertices: readonly number[], axis: Axis, through: Vec3, deg: number): void;
   dragCancelled(): void;
   /** The chosen stencil was dragged so far, mm. It is shown there until this resolves. */
   stencilMoved(stencil: number, by: Vec3): Promise<void>;

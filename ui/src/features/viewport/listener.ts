@@ -72,7 +72,7 @@ export function listenerOf(corner: () => { readonly left: number; readonly top: 
     hovered: (hovered) => useView.setState({ hovered }),
     dragging: (moved) => checkDesign(moved),
     dropped: (moved) => void dropped(moved),
-    turned: (axis, through, deg) => void turned(axis, through, deg),
+    turned: (vertices, axis, through, deg) => void turned(vertices, axis, through, deg),
     dragCancelled: () => checkDesign(),
     stencilMoved,
     stroke,
@@ -101,8 +101,8 @@ async function dropped(moved: readonly Moved[]): Promise<void> {
   if (!made) showWhatIsThere();
 }
 
-async function turned(axis: Axis, through: Vec3, deg: number): Promise<void> {
-  if (!(await rotate(axis, through, deg))) showWhatIsThere();
+async function turned(vertices: readonly number[], axis: Axis, through: Vec3, deg: number): Promise<void> {
+  if (!(await rotate(axis, through, deg, vertices))) showWhatIsThere();
 }
 
 function showWhatIsThere(): void {

@@ -75,17 +75,23 @@ export function snap(place: SnapPlace, settings: SnapSettings, x: number, y: num
   const { kinds, reach } = settings;
   // What a surface covers is not meant by a user who traces on it.
   const covered = (at: Vec3): boolean => stencil?.hides(projection, at) ?? false;
+  const wanted = kinds.has("stencil-vertex") || kinds.has("stencil-edge") || kinds.has("surface");
+  let beside: ReturnType<SurfaceTargets["near"]> | null = null;
+  /** What of the stencil is near: asked once, since it takes long. */
+  const nearStencil = () => {
+    if (wanted) beside ??= stencil?.near(projection, x, y, reach) ?? null;
+    return beside;
+  };
   if (kinds.has("vertex")) {
     const found = pickVertex(design, projection, x, y, reach, (id) => without.vertices.has(id));
-    const corner = found && kinds.has("stencil-vertex") ? stencil?.near(projection, x, y, reach).vertex : null;
+    const corner = found && kinds.has("stencil-vertex") ? nearStencil()?.vertex : null;
     // A vertex on the far rim of a cylinder that is seen from its end is behind the near rim, and no face covers it.
     const behind = found && corner && isInFront(projection, corner, found.at);
     if (found && !behind && !covered(found.at)) return { kind: "vertex", at: found.at, vertex: found.id };
   }
   const line = kinds.has("construction") ? onLines(place.construction, projection, x, y, reach) : null;
   if (line?.point && !covered(line.point)) return { kind: "construction", at: line.point };
-  const wanted = kinds.has("stencil-vertex") || kinds.has("stencil-edge") || kinds.has("surface");
-  const near = wanted ? stencil?.near(projection, x, y, reach) : undefined;
+  const near = nearStencil();
   if (kinds.has("stencil-vertex") && near?.vertex) return { kind: "stencil-vertex", at: near.vertex };
   if (kinds.has("stencil-edge") && near?.edge) return { kind: "stencil-edge", at: near.edge };
   if (kinds.has("edge") || kinds.has("edge-middle")) {

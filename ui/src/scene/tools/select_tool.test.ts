@@ -146,7 +146,7 @@ describe("an arc of the gizmo", () => {
       [60, 0, 0],
     ]);
     tool.release(beside(-diagonal, diagonal), true);
-    expect(listener.turned).toHaveBeenCalledExactlyOnceWith("z", [15, 0, 0], 90);
+    expect(listener.turned).toHaveBeenCalledExactlyOnceWith([0, 1], "z", [15, 0, 0], 90);
     expect(listener.dropped).not.toHaveBeenCalled();
   });
 
@@ -169,6 +169,27 @@ describe("an arc of the gizmo", () => {
       [30, 0, 0],
     ]);
     expect(listener.turned).not.toHaveBeenCalled();
+  });
+
+  it("ends with Enter, also while the button is held", () => {
+    tool.press(beside(diagonal, diagonal));
+    tool.drag(beside(-diagonal, diagonal));
+    for (const key of ["3", "0", "Enter"]) press(key);
+    tool.drag(beside(-diagonal, -diagonal));
+    tool.release(beside(-diagonal, -diagonal), true);
+    expect(listener.turned).toHaveBeenCalledExactlyOnceWith([0, 1], "z", [15, 0, 0], 30);
+  });
+
+  it("makes no edit of a whole turn", () => {
+    tool.press(beside(diagonal, diagonal));
+    tool.drag(beside(-diagonal, diagonal));
+    for (const key of ["3", "6", "0"]) press(key);
+    tool.release(beside(-diagonal, diagonal), true);
+    expect(listener.turned).not.toHaveBeenCalled();
+    expect([place(0), place(1)]).toEqual([
+      [0, 0, 0],
+      [30, 0, 0],
+    ]);
   });
 
   it("is not there for a single vertex, which it would not move", () => {

@@ -173,10 +173,15 @@ export class SelectTool implements ToolHandler {
     }
     if (!this.grab) return false;
     this.end();
+    this.giveUp();
+    return true;
+  }
+
+  /** Everything is shown where the design has it. */
+  private giveUp(): void {
     this.stage.moveStencil(ORIGIN);
     this.stage.move([]);
     this.listener.dragCancelled();
-    return true;
   }
 
   private handleAt({ x, y }: Place): Handle | null {
@@ -300,11 +305,13 @@ export class SelectTool implements ToolHandler {
     const { grab } = this;
     if (!grab) return;
     this.follow();
+    // Enter may come while the button is still held: what it holds is not taken up once more.
+    this.pressed = null;
     const { stencil } = this;
     this.end();
     if (grab instanceof Turn) {
-      if (grab.deg === 0) this.listener.dragCancelled();
-      else this.listener.turned(grab.axis, grab.centre, grab.deg);
+      if (grab.deg % 360 === 0) this.giveUp();
+      else this.listener.turned([...grab.from.keys()], grab.axis, grab.centre, grab.deg);
     } else if (stencil !== null) {
       void this.listener.stencilMoved(stencil, grab.by).finally(() => this.stage.moveStencil(ORIGIN));
     } else if (length(grab.by) > 0) this.listener.dropped(grab.moved);

@@ -47,6 +47,18 @@ it("snaps to 15°, and is exact where an angle is typed", () => {
   expect(turned.readout).toBe("about z −12.5▏°");
 });
 
+it("stays as it is beyond the horizon of its plane", () => {
+  const view = projectionOf("perspective");
+  const turned = new Turn(FROM, CENTRE, "z", MM);
+  const beside = (x: number, y: number) => view.seen([CENTRE[0] + x, CENTRE[1] + y, 0]);
+  turned.follow(beside(40, 0), view, false);
+  turned.follow(beside(0, 40), view, false);
+  expect(turned.deg).toBeCloseTo(90);
+  // Far above the middle of the picture there is sky.
+  turned.follow({ x: 400, y: -20_000 }, view, false);
+  expect(turned.deg).toBeCloseTo(90);
+});
+
 it("begins anew about another axis", () => {
   const turned = turn();
   turned.follow(seen(60, 0), top, false);

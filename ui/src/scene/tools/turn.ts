@@ -74,7 +74,8 @@ export class Turn {
   /** The angle of the pointer about the axis; null where the view does not tell it, as where the axis is seen from its side. */
   private seen({ x, y }: Pointer, projection: Projection): number | null {
     const at = onPlane(projection.ray(x, y), this.centre, AXES[this.axis]);
-    if (!at) return null;
+    // Beyond the horizon of the plane the line of sight meets it behind the eye, on the other side of the axis.
+    if (!at || (projection.perspective && projection.depth(at) <= 0)) return null;
     const arm = subtract(at, this.centre);
     const [u, v] = acrossOf(this.axis);
     return (Math.atan2(dot(arm, AXES[v]), dot(arm, AXES[u])) * 180) / Math.PI;

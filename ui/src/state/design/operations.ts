@@ -117,9 +117,14 @@ export async function transform(matrix: Matrix): Promise<void> {
   await edit({ edit: "transform", vertices: selectedVertices(), matrix });
 }
 
-/** Turns the selection, right-handed by degrees about an axis through a point. */
-export async function rotate(axis: Axis, through: Vec3, angle_deg: number): Promise<ViewChange | null> {
-  return edit({ edit: "rotate", vertices: selectedVertices(), axis, through_mm: [...through], angle_deg });
+/** Turns vertices, else the selection, right-handed by degrees about an axis through a point. */
+export async function rotate(
+  axis: Axis,
+  through: Vec3,
+  angle_deg: number,
+  vertices: readonly number[] = selectedVertices(),
+): Promise<ViewChange | null> {
+  return edit({ edit: "rotate", vertices: [...vertices], axis, through_mm: [...through], angle_deg });
 }
 
 /** Turns the selection by degrees about an edge, right-handed along it from its first vertex to its second. */
