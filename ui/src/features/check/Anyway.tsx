@@ -12,10 +12,13 @@ import { refusalOf } from "./texts";
 export function Anyway({
   checked,
   onChange,
+  why,
   children,
 }: {
   readonly checked: boolean;
   readonly onChange: (checked: boolean) => void;
+  /** Why it cannot be chosen now. */
+  readonly why?: string | null;
   /** What is done all the same. */
   readonly children: string;
 }) {
@@ -36,7 +39,7 @@ export function Anyway({
           }
         />
       </ul>
-      <Checkbox checked={checked} onChange={onChange}>
+      <Checkbox checked={checked} onChange={onChange} why={why ?? null}>
         {children}
       </Checkbox>
       {checked && <p className="muted small">{consequence}</p>}

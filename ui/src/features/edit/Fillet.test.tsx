@@ -43,11 +43,11 @@ function corners(): void {
 }
 
 it("names a radius in inches that fits, on whichever side of what was asked it is", async () => {
-  // 0.49213 in and 1.57480 in.
+  // 0.4996 in, which would be rounded to 0.500, and 1.5752 in, which would be rounded to 1.575.
   for (const [nearest_mm, said] of [
-    [12.5, "0.492 in"],
+    [12.69, "0.499 in"],
     [12.6, "0.496 in"],
-    [40, "1.575 in"],
+    [40.01, "1.576 in"],
     [40.3, "1.587 in"],
   ] as const) {
     platform.ask.mockImplementation(async () => ({ outcome: { ...found, nearest_mm } }));

@@ -46,6 +46,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
   const despite = refused && all.arm === all.noWire && anyway;
   const whyNot = (despite ? null : all.arm) ?? needsAccept;
   const under = isInWire(state.phase);
+  const busy = under ? "A wire is being bent." : null;
   const stock = wires[wire]?.stock_mm;
   return (
     <Part
@@ -73,22 +74,16 @@ export function Wire({ state }: { readonly state: MachineState }) {
       )}
       {refused &&
         (file ? (
-          <Checkbox checked={anyway} onChange={setAnyway}>
+          <Checkbox checked={anyway} onChange={setAnyway} why={busy}>
             Bend it anyway, although the machine cannot make it
           </Checkbox>
         ) : (
-          <Anyway checked={anyway} onChange={setAnyway}>
+          <Anyway checked={anyway} onChange={setAnyway} why={busy}>
             Bend it anyway
           </Anyway>
         ))}
       {/* What is set before a wire stays, and what comes with it is below: Pause stands where Start stood. */}
-      <Pieces
-        pieces={pieces}
-        stock={stockMm}
-        why={under ? "A wire is being bent." : null}
-        onPieces={setPieces}
-        onStock={setStock}
-      />
+      <Pieces pieces={pieces} stock={stockMm} why={busy} onPieces={setPieces} onStock={setStock} />
       <div className="row">
         {state.phase === "armed" ? (
           <Button className="grow" why={all.disarm} onClick={() => void order({ order: "disarm" })}>

@@ -244,11 +244,16 @@ async function ordered(asked: Promise<MachineNow>): Promise<boolean> {
 
 /** `port` null: the simulated machine. `simulatedAs`: what that one has instead of what its profile says. */
 export function connect(port: string | null, simulatedAs: SimulatedAs = {}): Promise<boolean> {
-  // What was wrong with the connection before is over; what is wrong with this one is said anew.
-  for (const code of lasting) dismissAll(code);
-  lasting.clear();
   useRun.setState({ ended: null, recorded: [] });
-  return ordered(asking("connect", { port, simulated_as: { ...simulatedAs } }));
+  const before = [...lasting];
+  return ordered(asking("connect", { port, simulated_as: { ...simulatedAs } })).then((connected) => {
+    // What was wrong with the connection before is over once there is another.
+    for (const code of connected ? before : []) {
+      dismissAll(code);
+      lasting.delete(code);
+    }
+    return connected;
+  });
 }
 
 export function order(what: Order): Promise<boolean> {

@@ -32,6 +32,13 @@ it("lists what the machine cannot make before anything else, and how much more t
   expect(said.map(({ what }) => what)).toEqual(["A", "B", "C", "And 1 more"]);
 });
 
+it("says first of a program that it was not searched to its end, and not that it is within the limits", () => {
+  const note = { code: "collisions-not-searched", count: 9, message: "not searched", remedies: [] };
+  const warned = ["a", "b", "c"].map((message) => finding("warning", message));
+  const said = findingsOf(file({ findings: warned, notes: [note as RunFileReport["notes"][number]] }));
+  expect(said.map(({ what }) => what)).toEqual(["Not searched", "A", "B", "And 1 more"]);
+});
+
 it("does not hold recorded moves against limits before they run", () => {
   expect(findingsOf(file({ kind: "moves", findings: [finding("error", "a")] }))).toEqual([]);
 });

@@ -41,8 +41,10 @@ export function findingsOf({ kind, findings, notes, feasible }: RunFileReport): 
       }),
     );
   const noted = notes.map((note): Finding => ({ tone: "warning", what: sentence(errorText(note)), sub: null }));
+  // What a program was not searched for counts as much as what was found.
+  const searched = !notes.some(({ code }) => code === "collisions-not-searched");
   const within: Finding = { tone: "fine", what: "Within the machine's limits", sub: null };
-  const all = [...(feasible ? [within] : []), ...said, ...noted];
+  const all = [...(feasible && searched ? [within] : []), ...(searched ? [...said, ...noted] : [...noted, ...said])];
   const more = all.length - LISTED;
   if (more <= 0) return all;
   return [...all.slice(0, LISTED), { tone: "info", what: `And ${more} more`, sub: null }];
