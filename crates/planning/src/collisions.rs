@@ -66,17 +66,19 @@ impl Planned {
         for plan in &mut self.wires {
             let Some(steps) = steps_of(plan) else { continue };
             let machine = &self.setup.model;
-            let contacts = match clearance(wireframe, machine, plan, Length::ZERO) {
-                None => None,
-                Some(clearance) => match first_contacts(&clearance, |step| goes_on(done + step, of)) {
-                    None => return Collisions { stopped: true, ..Collisions::of(&self.setup) },
-                    found => found,
-                },
-            };
+            let searched = clearance(wireframe, machine, plan, Length::ZERO)
+                .map(|clearance| first_contacts(&clearance, |step| goes_on(done + step, of)));
+            let stopped = searched.as_ref().is_some_and(|searched| !searched.whole);
+            let contacts = searched.map(|searched| searched.contacts);
             let findings = keep_contacts(wireframe, machine, plan, contacts, Length::ZERO);
             all.contacts.extend(contacts_of(plan, wire, &self.setup, &findings));
             plan.diagnostics.extend(findings);
             plan.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);
+            if stopped {
+                // What was found counts; that there is no more is not known.
+                plan.contacts = None;
+                return Collisions { stopped: true, ..Collisions::of(&self.setup) };
+            }
             (wire, done) = (wire + 1, done + steps);
         }
         all.checked = self.collisions_checked();
@@ -158,5 +160,20 @@ mod tests {
         assert!(!planned.collisions_checked());
         assert_eq!(planned.find_collisions_within(Duration::from_mins(1)), None);
         assert!(planned.collisions_checked());
+    }
+
+    /// A wire that is known to collide is refused, whatever the rest of it would have shown.
+    #[test]
+    fn what_was_found_before_the_search_was_stopped_counts() {
+        let app = Installation::new(&[]).unwrap();
+        let example = format!("{}/../../examples/truss-1.obj", env!("CARGO_MANIFEST_DIR"));
+        let opened = DesignInput::file(example.into()).open(&NoProgress).unwrap();
+        let choices =
+            PlanChoices { machine: Some("wirebend-kit".into()), double: true, ..PlanChoices::default() };
+        let mut planned = app.plan_design(opened, &choices, &NoProgress).unwrap();
+        assert!(planned.wires[0].is_feasible());
+        let found = planned.find_collisions(&mut |done, of| done < of / 2);
+        assert!(found.stopped && !found.checked && !planned.collisions_checked());
+        assert!(!planned.wires[0].is_feasible(), "it goes into the wire that is still to be bent");
     }
 }

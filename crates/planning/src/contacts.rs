@@ -47,12 +47,15 @@ pub(crate) fn not_searched_text(done: usize, of: usize) -> String {
     format!("collisions not fully searched: {done} of {of} steps in {} s", PATIENCE.as_secs())
 }
 
+/// What a search found, and whether it came to its end.
+pub struct Searched {
+    pub contacts: Vec<FirstContact>,
+    pub whole: bool,
+}
+
 /// The first contacts of a wire, as [`Clearance::first_contacts`] has them. `goes_on` is asked again and again, with how many steps are
-/// done: `None` where it does not.
-pub fn first_contacts(
-    clearance: &Clearance,
-    mut goes_on: impl FnMut(usize) -> bool,
-) -> Option<Vec<FirstContact>> {
+/// done; where it does not, the contacts are those of the parts of the wire that were looked at by then.
+pub fn first_contacts(clearance: &Clearance, mut goes_on: impl FnMut(usize) -> bool) -> Searched {
     let search = Search::default();
     let parts = clearance.steps().div_ceil(STEPS);
     let others = std::thread::available_parallelism().map_or(1, NonZero::get).min(MAX_THREADS).min(parts);
@@ -63,11 +66,8 @@ pub fn first_contacts(
         // The caller's own thread asks whether it goes on.
         search.take(clearance, || goes_on(search.done.load(Ordering::Relaxed)));
     });
-    if search.stopped.into_inner() {
-        return None;
-    }
     let found = search.found.into_inner().unwrap_or_else(PoisonError::into_inner);
-    Some(clearance.merged(found.into_values()))
+    Searched { contacts: clearance.merged(found.into_values()), whole: !search.stopped.into_inner() }
 }
 
 /// What the threads share.

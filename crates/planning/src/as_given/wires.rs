@@ -59,16 +59,18 @@ impl GivenWires {
         for (wireframe, plan) in &mut self.wires {
             let Some(clearance) = clearance(wireframe, &setup.model, plan, Length::ZERO) else { continue };
             let mut reached = done;
-            let contacts = first_contacts(&clearance, |step| {
+            let searched = first_contacts(&clearance, |step| {
                 reached = done + step;
                 Instant::now() < until
             });
-            if contacts.is_none() {
-                return Some(not_searched(reached, of));
-            }
+            let contacts = Some(searched.contacts);
             let findings = keep_contacts(wireframe, &setup.model, plan, contacts, Length::ZERO);
             plan.diagnostics.extend(findings);
             plan.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);
+            if !searched.whole {
+                plan.contacts = None;
+                return Some(not_searched(reached, of));
+            }
             done += steps(plan);
         }
         None

@@ -78,17 +78,17 @@ fn collisions(content: &Content, unit: DisplayUnit) -> Known {
             Default::default()
         };
         let said = match &wire.kept {
-            Some(kept) => match JobCollisions::of(kept, &content.setup) {
-                JobCollisions::Checked { findings: found, .. } if !found.is_empty() => {
-                    if !looked(index) {
-                        known.collides |= found.iter().any(Diagnostic::is_error);
-                        let found = found.iter().map(DiagnosticReport::from);
-                        known.found.extend(found.map(|found| finding(&named, &found)));
-                    }
-                    continue;
+            Some(kept) => {
+                let collisions = JobCollisions::of(kept, &content.setup);
+                if !looked(index) {
+                    let found = collisions.findings();
+                    known.collides |= found.iter().any(Diagnostic::is_error);
+                    let found = found.iter().map(DiagnosticReport::from);
+                    known.found.extend(found.map(|found| finding(&named, &found)));
                 }
-                found => text::kept_in(unit, || found.lines()),
-            },
+                // What was found stands among the findings.
+                text::kept_in(unit, || collisions.otherwise())
+            }
             None => vec!["collisions are not checked: there is no compensated program".to_owned()],
         };
         known.lines.extend(said.into_iter().map(|line| sentence(&format!("{of}{line}"))));

@@ -36,6 +36,8 @@ pub enum JobCollisions {
     Unfinished {
         /// How many steps were looked at, of how many.
         steps: [usize; 2],
+        /// What the checks say of the contacts that were found by then.
+        findings: Vec<Diagnostic>,
     },
     /// It could not be looked at.
     Unknown {
@@ -58,14 +60,14 @@ impl JobCollisions {
         let until = Instant::now() + patience;
         let clearance = wire.clearance(&setup.model, Length::ZERO);
         let mut reached = 0;
-        let contacts = first_contacts(&clearance, |done| {
+        let searched = first_contacts(&clearance, |done| {
             reached = done;
             Instant::now() < until
         });
-        let Some(contacts) = contacts else {
-            return Self::Unfinished { steps: [reached, clearance.steps()] };
-        };
-        let findings = wire.check(&setup.model, contacts, Length::ZERO);
+        let findings = wire.check(&setup.model, searched.contacts, Length::ZERO);
+        if !searched.whole {
+            return Self::Unfinished { steps: [reached, clearance.steps()], findings };
+        }
         let bodies = &setup.model.bodies.all;
         let estimates = bodies.iter().filter(|body| !body.measured).count();
         Self::Checked { findings, bodies: bodies.len(), estimates }
@@ -73,31 +75,53 @@ impl JobCollisions {
 
     /// Whether it is known that there are some.
     pub fn some(&self) -> bool {
-        matches!(self, Self::Checked { findings, .. } if !findings.is_empty())
+        !self.findings().is_empty()
+    }
+
+    /// What the checks say of the contacts that are known.
+    pub fn findings(&self) -> &[Diagnostic] {
+        match self {
+            Self::Checked { findings, .. } | Self::Unfinished { findings, .. } => findings,
+            Self::Unknown { .. } => &[],
+        }
+    }
+
+    /// What to say of it besides what was found.
+    pub fn otherwise(&self) -> Vec<String> {
+        match self {
+            Self::Unfinished { steps: [done, of], .. } => vec![not_searched_text(*done, *of)],
+            Self::Checked { findings, .. } if !findings.is_empty() => Vec::new(),
+            Self::Checked { .. } | Self::Unknown { .. } => self.lines(),
+        }
     }
 
     /// What to say of it: lines that begin in lower case, without a full stop. At most three collisions are named, errors
     /// first.
     pub fn lines(&self) -> Vec<String> {
         match self {
-            Self::Unfinished { steps: [done, of] } => vec![not_searched_text(*done, *of)],
+            Self::Unfinished { steps: [done, of], findings } => {
+                named(findings).into_iter().chain([not_searched_text(*done, *of)]).collect()
+            }
             Self::Unknown { why } => vec![format!("collisions are not checked: {why}")],
             Self::Checked { findings, bodies, estimates } if findings.is_empty() => {
                 vec![none_found(*bodies, *estimates)]
             }
-            Self::Checked { findings, .. } => {
-                let mut worst: Vec<&Diagnostic> = findings.iter().collect();
-                worst.sort_by_key(|finding| finding.severity);
-                let mut lines: Vec<String> = worst.into_iter().take(MAX_NAMED).map(text::message).collect();
-                match findings.len().saturating_sub(MAX_NAMED) {
-                    0 => {}
-                    1 => lines.push("and 1 more collision".to_owned()),
-                    more => lines.push(format!("and {more} more collisions")),
-                }
-                lines
-            }
+            Self::Checked { findings, .. } => named(findings),
         }
     }
+}
+
+/// At most three, errors first.
+fn named(findings: &[Diagnostic]) -> Vec<String> {
+    let mut worst: Vec<&Diagnostic> = findings.iter().collect();
+    worst.sort_by_key(|finding| finding.severity);
+    let mut lines: Vec<String> = worst.into_iter().take(MAX_NAMED).map(text::message).collect();
+    match findings.len().saturating_sub(MAX_NAMED) {
+        0 => {}
+        1 => lines.push("and 1 more collision".to_owned()),
+        more => lines.push(format!("and {more} more collisions")),
+    }
+    lines
 }
 
 fn none_found(bodies: usize, estimates: usize) -> String {

@@ -91,8 +91,7 @@ impl<'a> CollisionSearch<'a> {
 
     fn look(&mut self) {
         let machine = &self.setup.model;
-        let contacts =
-            first_contacts(&self.planned.clearance(machine, self.margin), |_| true).unwrap_or_default();
+        let contacts = first_contacts(&self.planned.clearance(machine, self.margin), |_| true).contacts;
         let findings = self.planned.check(machine, contacts.clone(), self.margin);
         let run = self.wires;
         self.wires += 1;
