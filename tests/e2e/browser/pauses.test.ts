@@ -31,7 +31,7 @@ it("stands at a pause point that was set in the step table, and goes on when a p
   await dialog().getByRole("button", { name: "Arm", exact: true }).click();
   await run().locator(".run-phase.armed").waitFor();
   await button("Start").click();
-  await dialog().getByText("Turn the part: is that done, and may the wire resume?", { exact: true }).waitFor();
+  await dialog().getByText("Turn the part: is that done, and may the machine resume?", { exact: true }).waitFor();
   const standing = await machine();
   expect([standing?.wire?.made, standing?.wire?.sent]).toEqual([2, 2]);
   await editor.isCleanNow("pause-asked");

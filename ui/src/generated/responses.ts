@@ -3486,7 +3486,7 @@ export interface RunFileReport {
    */
   name: string;
   /**
-   * Errors despite which a job was planned, and that a program was not searched for collisions to its end.
+   * Errors despite which a job was planned; of a program, that the search for collisions did not end.
    */
   notes: NoteReport[];
   /**

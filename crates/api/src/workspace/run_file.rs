@@ -56,7 +56,7 @@ pub struct RunFileReport {
     pub feasible: bool,
     /// What the checks say of its wires, errors first.
     pub findings: Vec<DiagnosticReport>,
-    /// Errors despite which a job was planned, and that a program was not searched for collisions to its end.
+    /// Errors despite which a job was planned; of a program, that the search for collisions did not end.
     pub notes: Vec<NoteReport>,
 }
 

@@ -19,8 +19,8 @@ pub(crate) struct SequenceArgs {
     /// What struts are made of, by id (see `wirebend materials`); what the design says, else what the machine's profile names, if absent
     #[arg(long, value_name = "ID")]
     pub material: Option<String>,
-    /// What stands on the ground: the supports of the design, or vertices such as 0,4,7
-    #[arg(long, value_name = "design|V,V...", default_value = "design", value_parser = parse_supports)]
+    /// What stands on the ground: the supports of the design, or vertices such as 0,4,7; with free nothing does, and nothing can be built
+    #[arg(long, value_name = "design|free|V,V...", default_value = "design", value_parser = parse_supports)]
     pub supports: FrameSupports,
     /// How far a joint may be from where it is drawn, in mm; the radius of a strut less the machine's position tolerance if absent
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]

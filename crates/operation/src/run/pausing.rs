@@ -24,7 +24,7 @@ impl Making<'_, '_> {
         let lines = vec![format!("the machine stands after step {} of {of}", pause.after)];
         front_end.event(&MachineEvent::About { lines });
         let request = self.run.session().ask(PermitKind::Continue);
-        let question = format!("{}: is that done, and may the wire resume?", pause.note);
+        let question = format!("{}: is that done, and may the machine resume?", pause.note);
         let (mut hold, mut failed) = (None, None);
         let said = front_end.confirm_pause(&question, &mut || {
             match self.look(observer, heard) {

@@ -53,7 +53,7 @@ fn a_wire_stands_at_its_pause_points_until_a_person_says_that_it_goes_on() {
     seat.order(&json!({"order": "start"}));
     let asked = seat.until_question();
     assert_eq!(asked.kind, QuestionKind::Pause);
-    assert_eq!(asked.question, "turn the part: is that done, and may the wire resume?");
+    assert_eq!(asked.question, "turn the part: is that done, and may the machine resume?");
     assert_eq!(asked.lines, ["the machine stands after step 3 of 8"]);
     stands(&seat, 3);
     assert_eq!(seat.refused(Order::Pause).0, "question-open");
