@@ -64,12 +64,15 @@ it.each(["wirebend-kit", "pensa-diwire-pro", "grbl-bender"])(
         await editor.page.keyboard.press("a");
       } else {
         const needed = /needs (\d+\.\d mm)/.exec(text)?.[1] ?? "";
-        await editor.messages
-          .filter({ hasText: `fillet of ${mm}` })
-          .filter({ hasText: needed })
-          .first()
-          .waitFor();
+        const fits = /^(The nearest radius that fits is|No fillet can be made here)/;
+        await form().getByText(fits).first().waitFor();
         expect((await editor.design()).edges).toHaveLength(before.edges.length);
+        // What makes it says the same.
+        const made = editor.loopback.ask("edit", {
+          request: { edit: "fillet", vertices: [1, 2, 3], radius_mm: mm, step_deg: 15 },
+        });
+        await expect(made).rejects.toThrow(`fillet of ${mm}`);
+        await expect(made).rejects.toThrow(needed);
       }
     }
     expect([...outcomes].sort()).toEqual(["made", "refused"]);

@@ -192,6 +192,15 @@ describe("an arc of the gizmo", () => {
     ]);
   });
 
+  it("leaves a vertex that lies on it to a click", () => {
+    const [cx, cy] = given(stage.turnsAt);
+    const pixel = stage.projection.pixel([cx, cy, 0]);
+    give(designOf([...AT, [cx + diagonal * pixel, cy + diagonal * pixel, 0]], ENDS));
+    tool.press(beside(diagonal, diagonal));
+    tool.release(beside(diagonal, diagonal), false);
+    expect([...stage.selected.selection.vertices]).toEqual([3]);
+  });
+
   it("is not there for a single vertex, which it would not move", () => {
     stage.select({ vertices: new Set([1]), edges: new Set() });
     expect(stage.turnsAt).toBeNull();

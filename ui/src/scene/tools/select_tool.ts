@@ -184,10 +184,13 @@ export class SelectTool implements ToolHandler {
     this.listener.dragCancelled();
   }
 
-  private handleAt({ x, y }: Place): Handle | null {
-    const { gizmoAt, turnsAt, projection } = this.stage;
+  private handleAt({ x, y, touch }: Place): Handle | null {
+    const { design, gizmoAt, turnsAt, projection } = this.stage;
     const moves = gizmoAt && handleAt(projection, gizmoAt, x, y);
-    return moves ?? (turnsAt && turnAt(projection, turnsAt, x, y));
+    if (moves) return moves;
+    const turns = turnsAt && turnAt(projection, turnsAt, x, y);
+    // An arc is long enough to be taken beside a vertex that lies on it.
+    return turns && pick(design, projection, x, y, touch)?.kind === "vertex" ? null : turns;
   }
 
   private beginTurn(at: Place, axis: Axis): void {

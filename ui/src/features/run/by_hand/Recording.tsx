@@ -78,8 +78,8 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
     <div className="stack">
       {asked}
       {/* The buttons first: the list grows with each move, and they stay where the pointer is. */}
-      <div className="row wrap">
-        <span className="grow muted small">{count(recorded.length, "move")}</span>
+      <div className="row wrap end">
+        <span className="muted small">{count(recorded.length, "move")}</span>
         <Button small why={none} onClick={() => void clearRecording()}>
           Clear
         </Button>
