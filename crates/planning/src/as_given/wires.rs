@@ -14,8 +14,7 @@ use wirebend_core::wireframe::{Component, Vertex, VertexId, Wireframe};
 use wirebend_files::document::{Job, JobPause, JobWire};
 
 use crate::PlanningError;
-use crate::contacts::first_contacts;
-use crate::contacts::{PATIENCE, not_searched};
+use crate::contacts::{PATIENCE, first_contacts, not_searched};
 use crate::machine::{Setup, kept_steps, told_steps};
 use crate::pauses;
 use crate::playback::{PlayedWire, played};
@@ -73,7 +72,8 @@ impl GivenWires {
             }
             done += steps(plan);
         }
-        None
+        // A wire that could not be looked at is not clear.
+        (done < of).then(|| not_searched(done, of))
     }
 
     /// What the checks say of all wires, errors first.

@@ -13,8 +13,7 @@ use wirebend_core::units::Length;
 use wirebend_core::wireframe::{EdgeId, VertexId};
 use wirebend_files::document::JobWire;
 
-use crate::contacts::first_contacts;
-use crate::contacts::{PATIENCE, not_searched_text};
+use crate::contacts::{PATIENCE, first_contacts, not_searched_text};
 use crate::machine::{Setup, kept_steps, told_steps};
 use crate::text;
 
