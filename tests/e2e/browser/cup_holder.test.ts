@@ -16,9 +16,10 @@ const size = async () => {
 /** What the holder goes round, and the wire. */
 const [ACROSS, HIGH, WIRE] = [80, 75, 3];
 
+const SIDES = 48;
+
 /** A cylinder of 80 mm across and 75 mm high, standing on the origin, as a mesh of 48 sides. */
 function cylinder(): string {
-  const SIDES = 48;
   const at = (k: number, z: number) => {
     const angle = (2 * Math.PI * k) / SIDES;
     return `v ${((ACROSS / 2) * Math.cos(angle)).toFixed(6)} ${((ACROSS / 2) * Math.sin(angle)).toFixed(6)} ${z}`;
@@ -32,19 +33,24 @@ function cylinder(): string {
   return [...rounds.map((k) => at(k, 0)), ...rounds.map((k) => at(k, HIGH)), ...faces, ...ends, ""].join("\n");
 }
 
-/** How much larger the stencil is read: an octagon on its corners has to clear the cup by half of the wire. */
-const SCALE = 1.123;
-const TOP = HIGH * SCALE;
+/** How far off the stencil it is traced: the middles of an octagon have to clear the cup by half of the wire. */
+const OFFSET = 4.92;
+const [LOW, TOP] = [-OFFSET, HIGH + OFFSET];
 
-/** Every sixth corner of a rim of the stencil. */
-function corner(eighth: number, z: number): Place {
-  const radius = (ACROSS / 2) * SCALE;
+function around(radius: number, eighth: number, z: number): Place {
   const angle = (eighth * Math.PI) / 4;
   return [radius * Math.cos(angle), radius * Math.sin(angle), z];
 }
 
+/** Every sixth corner of a rim of the stencil. */
+const rim = (eighth: number, z: number): Place => around(ACROSS / 2, eighth, z);
+
+/** Where the wire goes there: as far off the end of the cup as off the two sides that meet in the corner. */
+const corner = (eighth: number, z: number): Place => around(ACROSS / 2 + OFFSET / Math.cos(Math.PI / SIDES), eighth, z);
+
 const RING = [0, 1, 2, 3, 4, 5, 6, 7];
-const OUTERMOST: readonly Place[] = [0, TOP].flatMap((z) => RING.map((eighth) => corner(eighth, z)));
+/** What there is to frame. */
+const outermost: Place[] = [0, HIGH].flatMap((z) => RING.map((eighth) => rim(eighth, z)));
 
 /** Clicks on what is there, once it is shown that it would be taken. */
 async function take(place: { x: number; y: number }, snap: string): Promise<void> {
@@ -58,7 +64,7 @@ async function take(place: { x: number; y: number }, snap: string): Promise<void
 /** Looks from a side or, with Control, from the other: the holder is the same from both. */
 async function look(side: "front" | "top", ...keys: string[]): Promise<(place: Place) => { x: number; y: number }> {
   await editor.keys(...keys);
-  const sight = await Sight.framed(editor.page, side, OUTERMOST);
+  const sight = await Sight.framed(editor.page, side, outermost);
   return (place) => sight.at(place);
 }
 
@@ -69,35 +75,37 @@ it("traces a holder for a cup of 80 mm on a stencil of it, in at most 50 clicks 
   const dialog = editor.page.getByRole("dialog", { name: "Open cup.obj" });
   await dialog.getByRole("status").filter({ hasText: "80.0 × 80.0 × 75.0 mm" }).waitFor();
   editor.handled += 1;
-  await dialog.getByLabel("Scale", { exact: true }).click();
-  await editor.keys(...String(SCALE), "Tab");
-  await dialog.getByRole("status").filter({ hasText: "89.8 × 89.8 × 84.2 mm" }).waitFor();
-  editor.handled += 1;
   await dialog.getByRole("button", { name: "Open" }).click();
   await editor.section("trace").getByText("50 faces").first().waitFor();
 
-  // A ring on the upper rim, and one on the lower, seen from below: what the cup covers is not taken.
+  editor.handled += 1;
+  await editor.section("trace").getByLabel("Surface offset").click();
+  await editor.keys(...String(OFFSET), "Tab");
+
+  // A ring off the upper rim, and one on the lower, seen from below: what the cup covers is not taken.
   await editor.page.locator(".viewport canvas").focus();
   const above = await look("top", "7", "Home");
   await editor.keys("t");
-  for (const eighth of RING) await take(above(corner(eighth, TOP)), "Corner of the stencil");
+  for (const eighth of RING) await take(above(rim(eighth, HIGH)), "Corner of the stencil");
   await take(above(corner(0, TOP)), "Vertex");
   await until(size).toEqual([8, 8]);
   await editor.isCleanNow("cup-ring");
-  const below = await look("top", "Control+7");
-  for (const eighth of RING) await take(below(corner(-eighth, 0)), "Corner of the stencil");
-  await take(below(corner(0, 0)), "Vertex");
+  outermost.push(...RING.map((eighth) => corner(eighth, TOP)));
+  const below = await look("top", "Control+7", "Home");
+  for (const eighth of RING) await take(below(rim(-eighth, 0)), "Corner of the stencil");
+  await take(below(corner(0, LOW)), "Vertex");
   await until(size).toEqual([16, 16]);
+  outermost.push(...RING.map((eighth) => corner(eighth, LOW)));
 
   // A cross under the cup: a bar, and another through its middle.
-  await take(below(corner(1, 0)), "Vertex");
-  await take(below(corner(5, 0)), "Vertex");
+  await take(below(corner(1, LOW)), "Vertex");
+  await take(below(corner(5, LOW)), "Vertex");
   await until(size).toEqual([16, 17]);
-  await take(below(corner(3, 0)), "Vertex");
-  await take(below([0, 0, 0]), "Middle of an edge");
+  await take(below(corner(3, LOW)), "Vertex");
+  await take(below([0, 0, LOW]), "Middle of an edge");
   await until(size).toEqual([17, 19]);
-  await take(below([0, 0, 0]), "Vertex");
-  await take(below(corner(7, 0)), "Vertex");
+  await take(below([0, 0, LOW]), "Vertex");
+  await take(below(corner(7, LOW)), "Vertex");
   await until(size).toEqual([17, 20]);
 
   // Four struts, two from the front and two from behind.
@@ -105,7 +113,7 @@ it("traces a holder for a cup of 80 mm on a stencil of it, in at most 50 clicks 
     const at = await look("front", ...keys);
     for (const eighth of [5, 7]) {
       await take(at(corner(eighth, TOP)), "Vertex");
-      await take(at(corner(eighth, 0)), "Vertex");
+      await take(at(corner(eighth, LOW)), "Vertex");
     }
   }
   await until(size).toEqual([17, 24]);
@@ -114,7 +122,7 @@ it("traces a holder for a cup of 80 mm on a stencil of it, in at most 50 clicks 
   await editor.isClean("cup");
 
   const { vertices, edges } = await editor.design();
-  const drawing = [...RING.flatMap((k) => [corner(k, 0), corner(k, TOP)]), [0, 0, 0]];
+  const drawing = [...RING.flatMap((k) => [corner(k, LOW), corner(k, TOP)]), [0, 0, LOW]];
   const found = drawing.map((place) =>
     vertices.findIndex(({ at_mm }) => Math.hypot(...place.map((value, k) => value - (at_mm[k] ?? NaN))) < 0.001),
   );

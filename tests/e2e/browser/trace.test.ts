@@ -85,6 +85,33 @@ it("snaps to corners of the stencil, shows so before the click, and ends a stran
   expect(new Set(vertices.map(({ at_mm }) => at_mm.map(Math.round).join()))).toHaveProperty("size", 4);
 });
 
+it("places a vertex off the stencil by half the wire, or by what is typed, on each face that meets there", async () => {
+  await editor.button("Half the wire").click();
+  const field = trace().getByLabel("Surface offset");
+  await until(() => field.inputValue()).toContain("1.5");
+  await field.fill("4");
+  await field.press("Enter");
+  const sight = await Sight.from(editor.page, "front", CORNERS);
+  await editor.page.keyboard.press("t");
+  const size = 2 * INCH;
+  await click(sight.at([INCH, 0, size]), "Edge of the stencil");
+  await until(async () => (await editor.design()).vertices.length).toBe(4);
+  await click(sight.at([INCH / 2, 0, INCH]), "On the stencil");
+  await until(async () => (await editor.design()).vertices.length).toBe(6);
+  await editor.isClean("trace-offset");
+  const [edge, surface] = (await editor.design()).vertices.slice(4).map(({ at_mm }) => at_mm);
+  // Off the front and the top; off the front alone.
+  expect(edge?.[1]).toBeCloseTo(-4, 4);
+  expect(edge?.[2]).toBeCloseTo(size + 4, 4);
+  expect(surface?.[1]).toBeCloseTo(-4, 4);
+  expect(surface?.[2]).toBeCloseTo(INCH, 0);
+  await editor.page.keyboard.press("Escape");
+  await editor.page.keyboard.press("Control+z");
+  await until(async () => (await editor.design()).vertices.length).toBe(4);
+  await field.fill("0");
+  await field.press("Enter");
+});
+
 it("makes nothing of a first click that Escape follows", async () => {
   const sight = await Sight.from(editor.page, "front", CORNERS);
   await click(sight.at([INCH, 0, INCH]), "On the stencil");

@@ -178,10 +178,11 @@ export class Viewport {
     this.stage.chooseStencil(chosen);
   }
 
-  /** `opacity` from 0 to 1. */
-  setStencilsShown(shown: boolean, opacity: number): void {
+  /** `opacity` from 0 to 1; `offset`: how far off their surfaces a click places vertices, mm. */
+  setStencilsShown(shown: boolean, opacity: number, offset: number): void {
     this.stage.stencils.group.visible = shown;
     this.stage.stencils.opacity = opacity;
+    this.stage.stencils.offset = offset;
     this.frames.request();
   }
 

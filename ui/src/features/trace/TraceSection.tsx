@@ -1,3 +1,4 @@
+import { useEffect } from "react";
 import type { SnapKind } from "../../scene/interface";
 import { Button } from "../../shared/controls/Button";
 import { Field } from "../../shared/controls/Field";
@@ -6,6 +7,7 @@ import { NumberField } from "../../shared/controls/NumberField";
 import { count, percent, roughly } from "../../shared/figures/format";
 import { type DesignState, useDesign } from "../../state/design/design";
 import { useSelection } from "../../state/design/selection";
+import { diameterOf, needMachines, useMachines } from "../../state/machine/machines";
 import { run } from "../../state/window/commands";
 import { keyOf } from "../../state/window/keys";
 import { useUi } from "../../state/window/ui";
@@ -39,7 +41,10 @@ const NO_STENCILS: DesignState["stencils"] = [];
 
 /** How the stencils are seen; what they are is in the section Parts. */
 function Stencils({ none }: { readonly none: string | null }) {
-  const { stencilsShown, stencilOpacity } = useView();
+  const { stencilsShown, stencilOpacity, stencilOffset } = useView();
+  useEffect(needMachines, []);
+  useMachines();
+  const across = diameterOf(useDesign(({ state }) => state?.material));
   if (none !== null) {
     return (
       <div className="stack">
@@ -65,6 +70,27 @@ function Stencils({ none }: { readonly none: string | null }) {
             onChange={(value) => useView.setState({ stencilOpacity: value })}
             text={percent(stencilOpacity)}
           />
+        )}
+      </Field>
+      <Field label="Surface offset" hint="How far off the stencil a click places a vertex.">
+        {({ id }) => (
+          <div className="row">
+            <NumberField
+              id={id}
+              label="Surface offset"
+              value={stencilOffset}
+              min={0}
+              max={1000}
+              onCommit={(mm) => useView.setState({ stencilOffset: mm })}
+            />
+            <Button
+              why={across === null ? "Choose a material in Machine first." : null}
+              title="The wire lies on the stencil: its middle is half of its diameter off."
+              onClick={() => useView.setState({ stencilOffset: (across ?? 0) / 2 })}
+            >
+              Half the wire
+            </Button>
+          </div>
         )}
       </Field>
       <div className="row wrap">

@@ -212,8 +212,8 @@ export function show(scene: Scene): () => void {
     follow(useView, (view) => [view.chosenStencil, view.stencilsShown], chosenStencil),
     follow(
       useView,
-      ({ stencilsShown, stencilOpacity }) => [stencilsShown, stencilOpacity],
-      (view) => scene.setStencilsShown(view.stencilsShown, view.stencilOpacity),
+      ({ stencilsShown, stencilOpacity, stencilOffset }) => [stencilsShown, stencilOpacity, stencilOffset],
+      (view) => scene.setStencilsShown(view.stencilsShown, view.stencilOpacity, view.stencilOffset),
     ),
     follow(
       useView,

@@ -4,14 +4,22 @@ import { Group } from "three";
 import type { Shared } from "../drawing/shading";
 import type { Theme } from "../drawing/theme";
 import type { SceneStencil, Vec3 } from "../interface";
+import { lifted } from "../picking/lift";
 import type { SurfaceTargets } from "../picking/snap";
-import { nearestTargets } from "../picking/stencil_targets";
-import { distance, type Ray } from "../vec";
+import { type Candidate, nearestTargets } from "../picking/stencil_targets";
+import { distance, dot, type Ray, scale } from "../vec";
 import type { Projection } from "../view/projection";
 import { depthMaterial, Surface } from "./surface";
 
 /** Places of each that are looked at to see all of it. */
 const SAMPLES = 1500;
+
+/** Where a ray meets a surface; the normal of the face there, as that is wound. */
+interface Hit {
+  readonly surface: Surface;
+  readonly at: Vec3;
+  readonly normal: Vec3;
+}
 
 export class Stencils implements SurfaceTargets {
   readonly group = new Group();
@@ -20,6 +28,8 @@ export class Stencils implements SurfaceTargets {
   private stencils: readonly SceneStencil[] = [];
   private theme: Theme | null = null;
   private seen = 0.4;
+  /** How far off the surface a place lies that is snapped to, on the side that is seen, mm. */
+  offset = 0;
 
   constructor(private readonly uniforms: Shared) {}
 
@@ -80,7 +90,12 @@ export class Stencils implements SurfaceTargets {
     const hit = this.hit(projection.ray(x, y)) ?? this.hitAround(projection, x, y, reach);
     if (!hit) return { vertex: null, edge: null, surface: null };
     const triangles = hit.surface.fewTrianglesAround(hit.at, reach * projection.pixel(hit.at));
-    return { ...nearestTargets(triangles, projection, x, y, reach), surface: hit.at };
+    const { vertex, edge } = nearestTargets(triangles, projection, x, y, reach);
+    if (this.offset === 0) return { vertex, edge, surface: hit.at };
+    const flipped = dot(hit.normal, projection.ray(x, y).direction) > 0;
+    const side = flipped ? scale(hit.normal, -1) : hit.normal;
+    const off = (at: Vec3 | null, on: readonly Candidate[]) => at && lifted(at, on, side, flipped, this.offset);
+    return { vertex: off(vertex, triangles), edge: off(edge, triangles), surface: off(hit.at, []) };
   }
 
   hides(projection: Projection, at: Vec3): boolean {
@@ -107,22 +122,17 @@ export class Stencils implements SurfaceTargets {
   }
 
   /** The first surface that a ray meets, and where. */
-  private hit(ray: Ray): { surface: Surface; at: Vec3 } | null {
-    let first: { surface: Surface; at: Vec3 } | null = null;
+  private hit(ray: Ray): Hit | null {
+    let first: Hit | null = null;
     for (const surface of this.shown) {
-      const at = surface.hit(ray);
-      if (at && (!first || distance(ray.origin, at) < distance(ray.origin, first.at))) first = { surface, at };
+      const met = surface.hit(ray);
+      if (met && (!first || distance(ray.origin, met.at) < distance(ray.origin, first.at))) first = { surface, ...met };
     }
     return first;
   }
 
   /** Just beside the silhouette a surface is still meant: tries around the pointer, near before far. */
-  private hitAround(
-    projection: Projection,
-    x: number,
-    y: number,
-    reach: number,
-  ): { surface: Surface; at: Vec3 } | null {
+  private hitAround(projection: Projection, x: number, y: number, reach: number): Hit | null {
     for (const part of [0.35, 0.7, 1]) {
       for (let i = 0; i < 8; i += 1) {
         const angle = (i * Math.PI) / 4 + part;

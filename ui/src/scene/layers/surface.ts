@@ -112,12 +112,14 @@ export class Surface {
     return (this.geometry.boundingSphere?.radius ?? 0) * this.scale;
   }
 
-  /** Where a ray of the design meets it first. */
-  hit({ origin, direction }: Ray): Vec3 | null {
+  /** Where a ray of the design meets it first, and the normal of the face there, as that is wound. */
+  hit({ origin, direction }: Ray): { at: Vec3; normal: Vec3 } | null {
     if (!this.group.visible) return null;
     const ray = new ThreeRay(new Vector3(...origin), new Vector3(...direction)).applyMatrix4(this.inverse);
     const found = this.bvh.raycastFirst(ray, DoubleSide);
-    return found ? this.inDesign(found.point) : null;
+    if (!found?.face) return null;
+    const { x, y, z } = found.face.normal.clone().transformDirection(this.group.matrix);
+    return { at: this.inDesign(found.point), normal: [x, y, z] };
   }
 
   /** Corners of all triangles within `radius` mm of a place, or of more than `MANY` of them. */

@@ -6,7 +6,7 @@ import type { Played } from "../../scene/interface";
 import { useDesign } from "../design/design";
 import { playedDesign } from "../program/played";
 import { showDesignAgain, usePlayback } from "../program/program";
-import { needMachines, useMachines, viewOf } from "./machines";
+import { diameterOf, needMachines, viewOf } from "./machines";
 import type { Move, OperatorEvent, Phase } from "./operator";
 import { order, useRun } from "./run";
 
@@ -26,8 +26,7 @@ const SOME_DIAMETER = 2;
 
 /** Of the design's wire, mm; it is the one that lies in the machine, as far as anybody knows. */
 function diameter(): number {
-  const chosen = useDesign.getState().state?.material;
-  return useMachines.getState().materials?.find(({ id }) => id === chosen)?.diameter_mm ?? SOME_DIAMETER;
+  return diameterOf(useDesign.getState().state?.material) ?? SOME_DIAMETER;
 }
 
 /** Phases that begin with a wire of their own, or without any. */

@@ -68,6 +68,11 @@ export function needMachines(): void {
   needed ??= loadMachines().finally(() => (needed = null));
 }
 
+/** Of a wire, mm; null where it is not known. */
+export function diameterOf(material: string | null | undefined): number | null {
+  return useMachines.getState().materials?.find(({ id }) => id === material)?.diameter_mm ?? null;
+}
+
 export async function loadDrivers(): Promise<void> {
   const drivers = await told(asking("drivers", {}));
   if (drivers) useMachines.setState({ drivers });

@@ -58,6 +58,8 @@ interface ViewStore {
   readonly stencilsShown: boolean;
   /** From 0 to 1. */
   readonly stencilOpacity: number;
+  /** How far off a stencil a click places vertices, on the side that is seen, mm. */
+  readonly stencilOffset: number;
   /** The stencil that is placed: by its fields, and by the gizmo where nothing is selected. */
   readonly chosenStencil: number | null;
   /** The construction line that is pointed at in its list, by its place there. */
@@ -102,6 +104,7 @@ export const useView = create<ViewStore>()(() => ({
   planeOffset: 0,
   stencilsShown: true,
   stencilOpacity: 0.45,
+  stencilOffset: 0,
   chosenStencil: null,
   pointedLine: null,
   annotations: stored("wirebend.annotations") !== "off",
