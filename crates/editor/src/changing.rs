@@ -3,7 +3,7 @@
 use std::num::NonZeroU32;
 
 use wirebend_core::mesh::Placement;
-use wirebend_core::units::Length;
+use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{ChordLimits, Delta, EdgeId, VertexId};
 use wirebend_files::document::{
     Document, DocumentChange, PausePoint, PlacedStencil, ProfileSnapshot, StencilId, Walk, WireCount,
@@ -77,6 +77,13 @@ pub(super) fn change(
         EditRequest::PlaceStencil { stencil, placement } => {
             let placement = Placement::try_from(*placement)?;
             document.set_stencils(stencils_with(document, *stencil, |stencil| stencil.placement = placement)?)
+        }
+        EditRequest::TurnStencil { stencil, axis, angle_deg } => {
+            let by = Angle::from_deg(*angle_deg).map_err(|_| EditorError::Turn(*angle_deg))?;
+            let turned = |stencil: &mut PlacedStencil| {
+                stencil.placement = stencil.placement.turned(axis.direction(), by);
+            };
+            document.set_stencils(stencils_with(document, *stencil, turned)?)
         }
         EditRequest::StencilLook { stencil, look } => {
             let look = look.clone().with_tidy_name();

@@ -99,6 +99,16 @@ impl PlaneName {
 }
 
 /// A turn about an axis through a point; quarter turns come out whole.
+impl AxisName {
+    pub(super) fn direction(self) -> Unit<Vector3<f64>> {
+        match self {
+            Self::X => Vector3::x_axis(),
+            Self::Y => Vector3::y_axis(),
+            Self::Z => Vector3::z_axis(),
+        }
+    }
+}
+
 fn rotation(axis: AxisName, through: Point3<f64>, deg: f64) -> Result<Affine3<f64>, EditorError> {
     if !deg.is_finite() {
         return Err(EditorError::Turn(deg));

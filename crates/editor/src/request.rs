@@ -267,6 +267,13 @@ pub enum EditRequest {
     RemoveStencil { stencil: u32 },
     /// Moves, turns and scales a stencil.
     PlaceStencil { stencil: u32, placement: PlacementFile },
+    /// Turns a stencil as it lies about an axis of the design through its middle.
+    TurnStencil {
+        stencil: u32,
+        axis: AxisName,
+        /// Right-handed about the axis.
+        angle_deg: f64,
+    },
     /// Names, colours, hides or shows a stencil.
     StencilLook { stencil: u32, look: Look },
     /// Names, colours, hides or shows the part that an edge belongs to: all struts that hang together with it.

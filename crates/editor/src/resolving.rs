@@ -111,6 +111,7 @@ impl EditRequest {
             | Self::Construction { .. }
             | Self::RemoveStencil { .. }
             | Self::PlaceStencil { .. }
+            | Self::TurnStencil { .. }
             | Self::StencilLook { .. }
             | Self::PartLook { .. }
             | Self::Several { .. } => Ok(None),
@@ -183,6 +184,7 @@ impl EditRequest {
             }
             Self::RemoveStencil { .. } => "remove stencil".to_owned(),
             Self::PlaceStencil { .. } => "place stencil".to_owned(),
+            Self::TurnStencil { .. } => "turn stencil".to_owned(),
             Self::StencilLook { look, .. } if look.hidden => "hide stencil".to_owned(),
             Self::StencilLook { .. } => "change stencil".to_owned(),
             Self::PartLook { look, .. } if look.hidden => "hide part".to_owned(),

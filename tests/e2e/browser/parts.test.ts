@@ -95,6 +95,31 @@ it("moves the chosen stencil with the gizmo, as one thing to undo", async () => 
   await until(async () => (await stencils())[1]?.placement.shift_mm).toEqual([0, 0, 40]);
 });
 
+it("turns the chosen stencil with an arc of the gizmo, as it lies", async () => {
+  const sight = await Sight.from(editor.page, "front", [
+    [0, 0, 0],
+    [60, 60, 80],
+  ]);
+  const { x, y } = sight.at([30, 30, 60]);
+  const rows = async () => (await stencils())[1]?.surface?.matrix.map((row) => row.slice(0, 3)) ?? [];
+  const placement = (await stencils())[1]?.placement;
+  const [across = [], deep = [], up = []] = await rows();
+  const beside = 52 * Math.SQRT1_2;
+  await editor.page.mouse.move(x + beside, y - beside);
+  await editor.page.mouse.down();
+  await editor.page.mouse.move(x + 60, y - 2, { steps: 4 });
+  await editor.page.getByText("about y 45.0°").waitFor();
+  await editor.isCleanNow("parts-turning");
+  await editor.page.mouse.move(x + beside, y + beside, { steps: 4 });
+  await editor.page.mouse.up();
+  // A quarter about y: what went up goes along x, and what went along x goes down.
+  const near = (row: number[]) => row.map((value) => expect.closeTo(value, 9));
+  await until(rows).toEqual([near(up), near(deep), near(across.map((value) => -value))]);
+  expect((await stencils())[1]?.placement.shift_mm).toEqual([0, 0, 40]);
+  await editor.page.keyboard.press("Control+z");
+  await until(async () => (await stencils())[1]?.placement).toEqual(placement);
+});
+
 it("names, colours, hides and removes a stencil", async () => {
   await fill("Name of the stencil", "Hat");
   await parts().getByRole("button", { name: "Colour of Hat" }).click();

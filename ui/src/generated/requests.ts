@@ -407,6 +407,15 @@ export type EditRequest =
       stencil: number;
     }
   | {
+      /**
+       * Right-handed about the axis.
+       */
+      angle_deg: number;
+      axis: AxisName;
+      edit: "turn-stencil";
+      stencil: number;
+    }
+  | {
       edit: "stencil-look";
       look: Look;
       stencil: number;

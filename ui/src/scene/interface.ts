@@ -181,6 +181,8 @@ export interface SceneListener {
   dragCancelled(): void;
   /** The chosen stencil was dragged so far, mm. It is shown there until this resolves. */
   stencilMoved(stencil: number, by: Vec3): Promise<void>;
+  /** The chosen stencil was turned about an axis of the design through its middle. It is shown so until this resolves. */
+  stencilTurned(stencil: number, axis: Axis, deg: number): Promise<void>;
   /**
    * Resolves with the id of the vertex that the strand continues from; null ends the strand. A rejection ends it too; reporting why is up
    * to the listener.

@@ -24,7 +24,7 @@ import type {
   Vec3,
 } from "./interface";
 import { Backdrop } from "./layers/backdrop";
-import { Chosen } from "./layers/chosen";
+import { Chosen, type Held } from "./layers/chosen";
 import { Construction } from "./layers/construction";
 import { DesignLayer, EDGE_STYLE, NO_MARKS } from "./layers/design_layer";
 import { dimensionLabels, NO_DIMENSIONS } from "./layers/dimensions";
@@ -41,7 +41,7 @@ import { StrutLayer } from "./layers/strut_layer";
 import { DEFAULT_SNAP, type Line } from "./picking/snap";
 import { Playback } from "./playback/playback";
 import type { Handle } from "./tools/gizmo_parts";
-import { ballAround, middle, ORIGIN } from "./vec";
+import { ballAround, middle } from "./vec";
 import { Camera } from "./view/camera";
 import { axes, framedAspect, framing, pixelAtTarget } from "./view/orbit";
 import type { Projection } from "./view/projection";
@@ -136,9 +136,9 @@ export class Stage {
     return this.stencilInHand && this.chosen.middle;
   }
 
-  /** About what a selection can be turned: its middle; null where it is a single vertex or a stencil. */
+  /** About what a selection or a stencil can be turned: its middle; null where it is a single vertex. */
   get turnsAt(): Vec3 | null {
-    return this.design.moving(this.selected.selection).size > 1 ? this.gizmoAt : null;
+    return this.stencilInHand || this.design.moving(this.selected.selection).size > 1 ? this.gizmoAt : null;
   }
 
   /** The stencil that would move, and its middle: where nothing is selected. */
@@ -229,14 +229,14 @@ export class Stage {
 
   chooseStencil(chosen: ChosenStencil | null): void {
     this.chosen.stencil = chosen;
-    this.moveStencil(ORIGIN);
+    this.holdStencil(null);
   }
 
-  /** Shows the chosen stencil elsewhere while it is dragged. */
-  moveStencil(by: Vec3): void {
-    this.chosen.shift = by;
+  /** Shows the chosen stencil elsewhere while it is in the hand; null: where it lies. */
+  holdStencil(held: Held | null): void {
+    this.chosen.held = held;
     const { stencil } = this.chosen;
-    if (stencil) this.stencils.shift(stencil.id, by);
+    if (stencil) this.stencils.hold(stencil.id, held);
     this.mark("chosen stencil", [], this.designed.visible ? this.chosen.lines(this.theme) : []);
   }
 
@@ -280,7 +280,7 @@ export class Stage {
     this.layer.paint(this.design, theme);
     this.stencils.paint(theme);
     this.gizmo.paint(theme);
-    this.moveStencil(this.chosen.shift);
+    this.holdStencil(this.chosen.held);
     this.layConstruction();
     this.playback.paint(theme);
     this.struts.paint(theme);
@@ -316,7 +316,7 @@ export class Stage {
   private showParts(): void {
     this.designed.visible = !this.playing && !this.struts.shown;
     this.struts.group.visible = !this.playing && this.struts.shown;
-    this.moveStencil(this.chosen.shift);
+    this.holdStencil(this.chosen.held);
     this.layConstruction();
     this.changed();
   }

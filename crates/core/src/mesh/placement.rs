@@ -1,9 +1,9 @@
 //! How a stencil lies in the design.
 
-use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
+use nalgebra::{Matrix3, Point3, Rotation3, Unit, Vector3};
 
 use super::Stencil;
-use crate::units::Length;
+use crate::units::{Angle, Length};
 
 /// A surface is scaled and turned about the middle of its box, and that is moved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,12 +76,25 @@ impl Placement {
         self.scale
     }
 
+    /// It turned once more, right-handed about an axis of the design through its middle.
+    #[must_use]
+    pub fn turned(&self, axis: Unit<Vector3<f64>>, by: Angle) -> Self {
+        let turn = Rotation3::from_axis_angle(&axis, by.rad()) * self.rotation();
+        let (x, y, z) = turn.euler_angles();
+        // A quarter of a turn is to be one, not 89.99999999999999.
+        let round = |rad: f64| (rad.to_degrees() * 1e9).round() / 1e9;
+        Self { turn_deg: [x, y, z].map(round), ..*self }
+    }
+
+    fn rotation(&self) -> Rotation3<f64> {
+        let turn = self.turn_deg.map(f64::to_radians);
+        Rotation3::from_euler_angles(turn[0], turn[1], turn[2])
+    }
+
     /// The rows of the matrix that takes a point of the surface, in mm, to where it lies in the design. `middle`: of the surface.
     #[must_use]
     pub fn matrix(&self, middle: Point3<f64>) -> [[f64; 4]; 3] {
-        let turn = self.turn_deg.map(f64::to_radians);
-        let turn: Matrix3<f64> = Rotation3::from_euler_angles(turn[0], turn[1], turn[2]).into_inner();
-        let linear = turn * self.scale;
+        let linear: Matrix3<f64> = self.rotation().into_inner() * self.scale;
         let shift = middle.coords + self.shift - linear * middle.coords;
         [0, 1, 2].map(|row| [linear[(row, 0)], linear[(row, 1)], linear[(row, 2)], shift[row]])
     }
@@ -174,7 +187,38 @@ mod tests {
         assert_eq!(both.vertices()[5], Point3::new(14.0, 0.0, 0.0));
     }
 
+    #[test]
+    fn quarters_of_a_turn_add_up_to_whole_figures() {
+        let quarter = Angle::from_deg(90.0).unwrap();
+        let turned = Placement::default().turned(Vector3::z_axis(), quarter);
+        assert_eq!(turned, Placement::new([0.0; 3], [0.0, 0.0, 90.0], 1.0).unwrap());
+        assert_eq!(turned.turned(Vector3::y_axis(), quarter).turned(Vector3::y_axis(), -quarter), turned);
+    }
+
     proptest! {
+        /// Every place of the surface goes where a turn about the axis through its middle takes it.
+        #[test]
+        fn a_further_turn_is_about_an_axis_of_the_design(
+            turn in prop::array::uniform3(-360.0..360.0_f64),
+            upright in prop::bool::ANY,
+            axis in 0_usize..3,
+            deg in -720.0..720.0_f64,
+        ) {
+            // With y turned by a quarter x and z turn about the same axis.
+            let turn = if upright { [turn[0], 90.0, turn[2]] } else { turn };
+            let axis = [Vector3::x_axis(), Vector3::y_axis(), Vector3::z_axis()][axis];
+            let before = Placement::new([3.0, -5.0, 7.0], turn, 1.5).unwrap();
+            let after = surface().placed(&before.turned(axis, Angle::from_deg(deg).unwrap()));
+            let (before, middle) = (surface().placed(&before), surface().middle() + Vector3::new(3.0, -5.0, 7.0));
+            let (sin, cos) = deg.to_radians().sin_cos();
+            for (was, is) in before.vertices().iter().zip(after.vertices()) {
+                let arm = was - middle;
+                let aside = axis.into_inner() * axis.dot(&arm);
+                let expected = middle + aside + (arm - aside) * cos + axis.cross(&arm) * sin;
+                prop_assert!((is - expected).norm() < 1e-6, "{is} {expected}");
+            }
+        }
+
         /// Angles and proportions stay, and the middle goes where it is moved: whatever the numbers.
         #[test]
         fn lengths_are_scaled_and_the_middle_is_moved(

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde_json::json;
 use wirebend_editor::Editor;
-use wirebend_files::document::{Document, StencilSource, sha256_hex};
+use wirebend_files::document::{Document, PlacementFile, StencilSource, sha256_hex};
 use wirebend_planning::{DesignInput, NoProgress};
 
 use crate::{app, edit, example};
@@ -112,12 +112,23 @@ fn two_stencils_are_changed_each_by_itself() {
 
     let placement = json!({"shift_mm": [0, 50, 0], "turn_deg": [0, 0, 90], "scale": 2});
     edit(&mut editor, &json!({"edit": "place-stencil", "stencil": 1, "placement": placement}));
+    let placed = editor.state().stencils[1].placement;
     let [one, other] = &editor.state().stencils[..] else { panic!("two") };
     assert_eq!(one, &before.stencils[0]);
     let (was, is) = (before.stencils[1].surface.as_ref().unwrap(), other.surface.as_ref().unwrap());
     assert_eq!((was.middle_mm, was.size_mm), (is.middle_mm, is.size_mm), "as in its own frame");
     // Turned by a quarter and twice as large: x of the surface goes along y of the design.
     assert!((is.matrix[1][0] - 2.0).abs() < 1e-12 && (is.matrix[0][1] + 2.0).abs() < 1e-12, "{is:?}");
+
+    // Once more about z of the design, as the gizmo turns it: y of the surface, which goes along -x, comes to -y.
+    let turn = |deg: f64| json!({"edit": "turn-stencil", "stencil": 1, "axis": "z", "angle_deg": deg});
+    let change = edit(&mut editor, &turn(90.0));
+    assert_eq!(change.state.undo.as_deref(), Some("turn stencil"));
+    let turned = &editor.state().stencils[1];
+    assert_eq!(turned.placement, PlacementFile { turn_deg: [0.0, 0.0, 180.0], ..placed });
+    assert!((turned.surface.as_ref().unwrap().matrix[1][1] + 2.0).abs() < 1e-12, "{turned:?}");
+    editor.undo().unwrap();
+    assert_eq!(editor.state().stencils[1].placement, placed);
 
     let look = json!({"name": " ear\n left ", "colour": "#C07830", "hidden": true});
     let change = edit(&mut editor, &json!({"edit": "stencil-look", "stencil": 0, "look": look}));
@@ -146,6 +157,7 @@ fn what_is_no_stencil_or_no_place_for_one_is_told() {
     for (request, said) in [
         (json!({"edit": "remove-stencil", "stencil": 4}), "there is no stencil 4 in this design"),
         (placed(4, 1.0), "there is no stencil 4"),
+        (json!({"edit": "turn-stencil", "stencil": 4, "axis": "x", "angle_deg": 1}), "there is no stencil 4"),
         (placed(0, 0.0), "can be scaled by 0.001 to 1000, not by 0"),
         (json!({"edit": "part-look", "edge": 9, "look": {}}), "there is no edge 9"),
     ] {

@@ -75,6 +75,8 @@ export function listenerOf(corner: () => { readonly left: number; readonly top: 
     turned: (vertices, axis, through, deg) => void turned(vertices, axis, through, deg),
     dragCancelled: () => checkDesign(),
     stencilMoved,
+    stencilTurned: async (stencil, axis, angle_deg) =>
+      void (await edit({ edit: "turn-stencil", stencil, axis, angle_deg })),
     stroke,
     strandEnded: () => {
       ended += 1;

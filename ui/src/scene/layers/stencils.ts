@@ -9,6 +9,7 @@ import type { SurfaceTargets } from "../picking/snap";
 import { type Candidate, nearestTargets } from "../picking/stencil_targets";
 import { distance, dot, type Ray, scale } from "../vec";
 import type { Projection } from "../view/projection";
+import type { Held } from "./chosen";
 import { depthMaterial, Surface } from "./surface";
 
 /** Places of each that are looked at to see all of it. */
@@ -55,10 +56,10 @@ export class Stencils implements SurfaceTargets {
     this.repaint();
   }
 
-  /** Shows one elsewhere while it is dragged. */
-  shift(id: number, by: Vec3): void {
+  /** Shows one elsewhere while it is in the hand; null: where it lies. */
+  hold(id: number, held: Held | null): void {
     const stencil = this.stencils.find((known) => known.id === id);
-    if (stencil) this.surfaces.get(id)?.place(stencil, by);
+    if (stencil) this.surfaces.get(id)?.place(stencil, held);
   }
 
   set opacity(opacity: number) {

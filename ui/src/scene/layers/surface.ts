@@ -17,7 +17,8 @@ import { MeshBVH } from "three-mesh-bvh";
 import { GLSL, type Shared } from "../drawing/shading";
 import type { Colour, SceneStencil, Vec3 } from "../interface";
 import type { Candidate } from "../picking/stencil_targets";
-import { cross, direction, ORIGIN, type Ray, subtract } from "../vec";
+import { AXES, cross, direction, ORIGIN, type Ray, subtract } from "../vec";
+import type { Held } from "./chosen";
 
 const VERTEX = /* glsl */ `
 varying vec3 vPlace;
@@ -82,11 +83,11 @@ export class Surface {
     this.place(stencil);
   }
 
-  /** Where it lies, and whether it is seen; `by`: how far from there it is dragged. */
-  place({ matrix, hidden }: Pick<SceneStencil, "matrix" | "hidden">, by: Vec3 = ORIGIN): void {
+  /** Where it lies, and whether it is seen; `held`: where its places are while it is in the hand. */
+  place({ matrix, hidden }: Pick<SceneStencil, "matrix" | "hidden">, held: Held | null = null): void {
     const [x, y, z] = matrix;
     this.group.matrix.set(...x, ...y, ...z, 0, 0, 0, 1);
-    this.group.matrix.premultiply(new Matrix4().makeTranslation(...by));
+    if (held) this.group.matrix.premultiply(matrixOf(held));
     this.group.matrixWorldNeedsUpdate = true;
     this.inverse.copy(this.group.matrix).invert();
     this.scale = Math.hypot(x[0], y[0], z[0]);
@@ -179,4 +180,10 @@ export function depthMaterial(): ShaderMaterial {
 
 function normal(a: Vec3, b: Vec3, c: Vec3): Vec3 {
   return direction(cross(subtract(b, a), subtract(c, a))) ?? [0, 0, 0];
+}
+
+function matrixOf(held: Held): Matrix4 {
+  const origin = held(ORIGIN);
+  const axis = (along: Vec3) => new Vector3(...subtract(held(along), origin));
+  return new Matrix4().makeBasis(axis(AXES.x), axis(AXES.y), axis(AXES.z)).setPosition(...origin);
 }

@@ -66,11 +66,14 @@ describe("a stencil that is placed", () => {
     expect(kindAt(-50, -60, ["surface"], { stencil: square({ hidden: true }) })).toBeUndefined();
   });
 
-  it("goes on being the same surface while it is dragged, and comes back", () => {
+  it("goes on being the same surface while it is in the hand, and comes back", () => {
     const stencil = square();
-    stencil.shift(0, [300, 0, 0]);
+    stencil.hold(0, ([x, y, z]) => [x + 300, y, z]);
     expect(kindAt(-50, -60, ["surface"], { stencil })).toBeUndefined();
-    stencil.shift(0, [0, 0, 0]);
+    // Edge on.
+    stencil.hold(0, ([x, y, z]) => [-y, x, z]);
+    expect(kindAt(-50, -60, ["surface"], { stencil })).toBeUndefined();
+    stencil.hold(0, null);
     expect(kindAt(-50, -60, ["surface"], { stencil })).toBe("surface");
   });
 });

@@ -61,7 +61,12 @@ export class Grab {
   }
 
   get moved(): Moved[] {
-    return [...this.from].map(([vertex, at]) => ({ vertex, at: add(at, this.by) }));
+    return [...this.from].map(([vertex, at]) => ({ vertex, at: this.goes(at) }));
+  }
+
+  /** Where a place of what moves goes. */
+  goes(place: Vec3): Vec3 {
+    return add(place, this.by);
   }
 
   get axis(): Axis | null {

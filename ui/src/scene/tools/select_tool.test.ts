@@ -24,6 +24,7 @@ const listener = {
   dragging: vi.fn(),
   dragCancelled: vi.fn(),
   stencilMoved: vi.fn(async () => {}),
+  stencilTurned: vi.fn(async () => {}),
   hovered: vi.fn(),
   selected: vi.fn(),
   menu: vi.fn(),
@@ -204,5 +205,33 @@ describe("an arc of the gizmo", () => {
   it("is not there for a single vertex, which it would not move", () => {
     stage.select({ vertices: new Set([1]), edges: new Set() });
     expect(stage.turnsAt).toBeNull();
+  });
+
+  it("turns the chosen stencil where nothing is selected, and shows it where it lies once that is so", async () => {
+    const box: [Vec3, Vec3][] = [
+      [
+        [0, 0, 0],
+        [40, 0, 0],
+      ],
+    ];
+    let isSo = (): void => {};
+    listener.stencilTurned.mockReturnValue(new Promise((resolve) => (isSo = resolve)));
+    stage.select({ vertices: new Set(), edges: new Set() });
+    stage.chooseStencil({ id: 7, middle: [20, 10, 0], box });
+    const held = vi.spyOn(stage, "holdStencil");
+    tool.press(beside(diagonal, diagonal));
+    tool.drag(beside(-diagonal, diagonal));
+    const end = held.mock.lastCall?.[0]?.([40, 0, 0]).map((mm) => Math.round(mm * 1e6) / 1e6);
+    expect(end).toEqual([30, 30, 0]);
+    tool.release(beside(-diagonal, diagonal), true);
+    expect(listener.stencilTurned).toHaveBeenCalledExactlyOnceWith(7, "z", 90);
+    expect(listener.turned).not.toHaveBeenCalled();
+    expect([place(0), place(1)]).toEqual([
+      [0, 0, 0],
+      [30, 0, 0],
+    ]);
+    expect(held.mock.lastCall).not.toEqual([null]);
+    isSo();
+    await vi.waitFor(() => expect(held.mock.lastCall).toEqual([null]));
   });
 });

@@ -7,7 +7,7 @@ import { type Box, type Combine, combine, inBox, touching } from "../picking/box
 import { type Picked, pick } from "../picking/picking";
 import { snap } from "../picking/snap";
 import type { Stage } from "../stage";
-import { AXES, along, distance, length, ORIGIN } from "../vec";
+import { AXES, along, distance, length } from "../vec";
 import { type Handle, handleAt, type MoveHandle, turnAt } from "./gizmo_parts";
 import { Grab, type Surroundings } from "./grab";
 import { FREE } from "./move";
@@ -24,7 +24,7 @@ export class SelectTool implements ToolHandler {
   grab: Grab | Turn | null = null;
   private pressed: { at: Place; picked: Picked | null; handle: Handle | null } | null = null;
   private box: Box | null = null;
-  /** The stencil that the grab moves; null where it moves vertices. */
+  /** The stencil that the grab moves or turns; null where it does that to vertices. */
   private stencil: number | null = null;
   private hovered = "";
   private last: Place = { x: 0, y: 0, shift: false, ctrl: false, touch: false };
@@ -127,8 +127,7 @@ export class SelectTool implements ToolHandler {
     else if (axis && grab) {
       grab.lock(axis);
       // From where everything was.
-      this.stage.move(grab.moved);
-      this.listener.dragging(grab.moved);
+      this.show(grab);
     }
     if (grab) this.follow();
   }
@@ -179,7 +178,7 @@ export class SelectTool implements ToolHandler {
 
   /** Everything is shown where the design has it. */
   private giveUp(): void {
-    this.stage.moveStencil(ORIGIN);
+    this.stage.holdStencil(null);
     this.stage.move([]);
     this.listener.dragCancelled();
   }
@@ -197,9 +196,10 @@ export class SelectTool implements ToolHandler {
     const { stage } = this;
     const centre = stage.turnsAt;
     if (!centre) return;
-    this.stencil = null;
+    this.stencil = stage.stencilInHand?.id ?? null;
     this.tellHovered(null);
-    this.grab = new Turn(stage.design.placesOf(stage.selected.selection), centre, axis, stage.lengths);
+    const from = this.stencil === null ? stage.design.placesOf(stage.selected.selection) : new Map<number, Vec3>();
+    this.grab = new Turn(from, centre, axis, stage.lengths);
     this.grab.follow(at, stage.projection, false);
     this.overlay.cursor("grabbing");
   }
@@ -237,9 +237,16 @@ export class SelectTool implements ToolHandler {
     this.guide(turn.axis, turn.centre, []);
     stage.activate({ kind: "turn", axis: turn.axis });
     this.overlay.readout(turn.readout);
-    if (turn.deg === before) return;
-    stage.move(turn.moved);
-    this.listener.dragging(turn.moved);
+    if (turn.deg !== before) this.show(turn);
+  }
+
+  /** Shows what is in the hand where that has it now. */
+  private show(grab: Grab | Turn): void {
+    if (this.stencil !== null) this.stage.holdStencil((place) => grab.goes(place));
+    else {
+      this.stage.move(grab.moved);
+      this.listener.dragging(grab.moved);
+    }
   }
 
   /** The line of an axis through a place, with signs. */
@@ -262,13 +269,7 @@ export class SelectTool implements ToolHandler {
     this.guide(grab.axis, grab.anchor, signs);
     stage.activate(grab.constraint.kind === "view" ? null : grab.constraint);
     this.overlay.readout(grab.readout);
-    if (distance(before, grab.by) === 0) return;
-    if (this.stencil !== null) {
-      stage.moveStencil(grab.by);
-      return;
-    }
-    stage.move(grab.moved);
-    this.listener.dragging(grab.moved);
+    if (distance(before, grab.by) > 0) this.show(grab);
   }
 
   private surroundings(grab: Grab, signs: Sign[]): Surroundings {
@@ -312,11 +313,16 @@ export class SelectTool implements ToolHandler {
     this.pressed = null;
     const { stencil } = this;
     this.end();
-    if (grab instanceof Turn) {
-      if (grab.deg % 360 === 0) this.giveUp();
-      else this.listener.turned([...grab.from.keys()], grab.axis, grab.centre, grab.deg);
-    } else if (stencil !== null) {
-      void this.listener.stencilMoved(stencil, grab.by).finally(() => this.stage.moveStencil(ORIGIN));
+    if (grab instanceof Turn && grab.deg % 360 === 0) this.giveUp();
+    else if (stencil !== null) {
+      const { listener } = this;
+      const placed =
+        grab instanceof Turn
+          ? listener.stencilTurned(stencil, grab.axis, grab.deg)
+          : listener.stencilMoved(stencil, grab.by);
+      void placed.finally(() => this.stage.holdStencil(null));
+    } else if (grab instanceof Turn) {
+      this.listener.turned([...grab.from.keys()], grab.axis, grab.centre, grab.deg);
     } else if (length(grab.by) > 0) this.listener.dropped(grab.moved);
     else this.listener.dragCancelled();
   }

@@ -1,4 +1,4 @@
-/** Turning a selection about an axis through its middle: by the pointer, or by a typed angle. Pure; right-handed, degrees. */
+/** Turning a selection or a stencil about an axis through its middle: by the pointer, or by a typed angle. Pure; right-handed, degrees. */
 
 import type { Axis, LengthFormat, Moved, Vec3 } from "../interface";
 import { AXES, add, along, cross, dot, onPlane, scale, subtract } from "../vec";
@@ -56,14 +56,17 @@ export class Turn {
   }
 
   get moved(): Moved[] {
+    return [...this.from].map(([vertex, place]) => ({ vertex, at: this.goes(place) }));
+  }
+
+  /** Where a place of what turns goes. */
+  goes(place: Vec3): Vec3 {
     const axis = AXES[this.axis];
     const rad = (this.deg * Math.PI) / 180;
-    return [...this.from].map(([vertex, place]) => {
-      const arm = subtract(place, this.centre);
-      const aside = scale(axis, dot(arm, axis));
-      const turned = along(scale(subtract(arm, aside), Math.cos(rad)), cross(axis, arm), Math.sin(rad));
-      return { vertex, at: add(this.centre, add(aside, turned)) };
-    });
+    const arm = subtract(place, this.centre);
+    const aside = scale(axis, dot(arm, axis));
+    const turned = along(scale(subtract(arm, aside), Math.cos(rad)), cross(axis, arm), Math.sin(rad));
+    return add(this.centre, add(aside, turned));
   }
 
   get readout(): string {
