@@ -1,6 +1,6 @@
 //! The wires of a job as they are: played, and held against the limits of its machine. Nothing is planned anew.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use nalgebra::Point3;
 use wirebend_core::bend::{NominalProgram, program_of_path};
@@ -51,7 +51,11 @@ impl GivenWires {
     /// Looks where the wires meet the machine or themselves, for as long as a person waits for it, and adds what the checks say of
     /// it. A note says so where that was not enough.
     pub fn find_collisions(&mut self, setup: &Setup) -> Option<NoteReport> {
-        let until = Instant::now() + PATIENCE;
+        self.find_collisions_within(PATIENCE, setup)
+    }
+
+    fn find_collisions_within(&mut self, patience: Duration, setup: &Setup) -> Option<NoteReport> {
+        let until = Instant::now() + patience;
         let steps = |plan: &WirePlan| plan.scheduled.as_ref().map_or(0, |program| program.steps.len());
         let of = self.wires.iter().map(|(_, plan)| steps(plan)).sum();
         let mut done = 0;
@@ -175,4 +179,29 @@ fn wireframe(
         }
     }
     Ok(wireframe)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::DesignInput;
+    use crate::{Installation, NoProgress, PlanChoices};
+
+    /// The second wire counts as not looked at, too: it may collide as well as the first.
+    #[test]
+    fn a_search_of_given_wires_that_takes_too_long_is_said_to_have_no_end() {
+        let app = Installation::new(&[]).unwrap();
+        let example = format!("{}/../../examples/two-parts.obj", env!("CARGO_MANIFEST_DIR"));
+        let opened = DesignInput::file(example.into()).open(&NoProgress).unwrap();
+        let choices = PlanChoices { machine: Some("wirebend-kit".into()), ..PlanChoices::default() };
+        let planned = app.plan_design(opened, &choices, &NoProgress).unwrap();
+        let job = planned.job().unwrap().unwrap();
+        let steps: usize = job.contents().wires.iter().map(|wire| wire.scheduled.len()).sum();
+        let mut given = GivenWires::of("two parts", &job, &planned.setup).unwrap();
+        let note = given.find_collisions_within(Duration::ZERO, &planned.setup).unwrap();
+        assert_eq!(note.message, format!("collisions not fully searched: 0 of {steps} steps in 10 s"));
+        assert!(given.wires.iter().all(|(_, plan)| plan.contacts.is_none()));
+        assert_eq!(given.find_collisions_within(Duration::from_mins(1), &planned.setup), None);
+        assert!(given.wires.iter().all(|(_, plan)| plan.contacts.is_some()));
+    }
 }
