@@ -92,7 +92,12 @@ export function snap(place: SnapPlace, settings: SnapSettings, x: number, y: num
   const line = kinds.has("construction") ? onLines(place.construction, projection, x, y, reach) : null;
   if (line?.point && !covered(line.point)) return { kind: "construction", at: line.point };
   const near = nearStencil();
-  if (kinds.has("stencil-vertex") && near?.vertex) return { kind: "stencil-vertex", at: near.vertex };
+  if (kinds.has("stencil-vertex") && near?.vertex) {
+    // Off the stencil a vertex is seen beside the corner that it was placed by: a click on that means it.
+    const there = kinds.has("vertex") ? design.vertexAt(near.vertex) : null;
+    if (there !== null && !without.vertices.has(there)) return { kind: "vertex", at: near.vertex, vertex: there };
+    return { kind: "stencil-vertex", at: near.vertex };
+  }
   if (kinds.has("stencil-edge") && near?.edge) return { kind: "stencil-edge", at: near.edge };
   if (kinds.has("edge") || kinds.has("edge-middle")) {
     const found = pickEdge(design, projection, x, y, reach, (row) => excluded(design, row, without));
