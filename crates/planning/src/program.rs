@@ -59,6 +59,8 @@ pub struct ReadProgram {
     pub order: Vec<VertexId>,
     pub weld_mm: f64,
     pub known: Known,
+    /// The format that it is in, where the file itself says that it is what a machine was told: one whose programs are in that format.
+    pub told_in: Option<&'static str>,
     /// Id of the machine on which it was recorded: such a program is in canonical signs.
     pub machine: Option<String>,
 }
@@ -66,6 +68,7 @@ pub struct ReadProgram {
 impl ReadProgram {
     /// `kind`: what a person says that its steps are.
     pub fn new(program: ImportedProgram, kind: Option<ProgramKind>, weld_mm: f64, format: Format) -> Self {
+        let told_in = format.written_as().filter(|_| kind.is_none() && program.told);
         let known = match kind {
             Some(ProgramKind::Nominal) => Known::Design,
             Some(ProgramKind::Compensated) => Known::Told,
@@ -75,7 +78,7 @@ impl ReadProgram {
             None => Known::Assumed,
         };
         let ImportedProgram { program, traversal, machine, .. } = program;
-        Self { steps: program.steps, order: traversal, weld_mm, known, machine }
+        Self { steps: program.steps, order: traversal, weld_mm, known, told_in, machine }
     }
 
     /// The steps as commands in canonical signs, for a machine with these signs.

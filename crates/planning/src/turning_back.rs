@@ -27,13 +27,29 @@ impl Installation {
         let Some(machine) = choices.machine.clone().or(recorded) else {
             return Err(PlanningError::Compensated { name: opened.name });
         };
-        opened.turned_back(&self.setup(&machine, choices.material.as_deref())?)
+        let setup = self.setup(&machine, choices.material.as_deref())?;
+        opened.require_told_to(&setup)?;
+        opened.turned_back(&setup)
     }
 }
 
 impl Opened {
     fn is_told(&self) -> bool {
         self.program.as_ref().is_some_and(|program| program.known == Known::Told)
+    }
+
+    /// Refuses to turn back with one machine what was written for another.
+    fn require_told_to(&self, setup: &Setup) -> Result<(), PlanningError> {
+        let told_in = self.program.as_ref().and_then(|program| program.told_in);
+        let own = setup.machine.profile.export.native.as_deref();
+        match told_in {
+            Some(format) if own != Some(format) => Err(PlanningError::FormatOfAnother {
+                format: format.to_owned(),
+                machine: setup.machine_id().to_owned(),
+                known: Vec::new(),
+            }),
+            _ => Ok(()),
+        }
     }
 
     /// The machine that a recording of moves is of.

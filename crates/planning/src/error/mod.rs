@@ -216,7 +216,7 @@ pub enum PlanningError {
         /// The wanted format.
         format: String,
         machine: String,
-        /// What can be written for it.
+        /// What can be written for it; empty where a program was read.
         known: Vec<String>,
     },
     /// Something else was given where a job is needed.

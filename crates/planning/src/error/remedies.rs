@@ -71,6 +71,9 @@ impl PlanningError {
                     .collect()
             }
             Self::NoSettings { .. } => vec![R::LeaveOut { inputs: vec![InputName::FormatSettings] }],
+            Self::FormatOfAnother { known, .. } if known.is_empty() => {
+                vec![R::PlanForMachine { machine: None }]
+            }
             Self::FormatOfAnother { known, .. } => vec![
                 R::PlanForMachine { machine: None },
                 R::ChooseKnown { near: Vec::new(), known: known.clone() },
