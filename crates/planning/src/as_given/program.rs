@@ -1,17 +1,18 @@
 //! A program of a machine's own format as a job: it is run as it stands, and nothing of it is compensated.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 use wirebend_core::bend::{Frame, Step, replay};
 use wirebend_core::compensate::CompensatedProgram;
 use wirebend_core::estimate::stock;
 use wirebend_core::units::Length;
 use wirebend_files::document::{Job, JobContents, JobStep, JobWire, ProfileSnapshot, SourceFile, sha256_hex};
-use wirebend_files::read::{Format, ReadError, decode, wireframe_of_path};
+use wirebend_files::read::{Format, ReadError, decode};
 
 use super::GivenWires;
-use crate::design::{DesignInput, Opened, default_weld_mm};
+use crate::design::{DesignInput, Opened};
 use crate::job::{is_job, open_job};
 use crate::machine::Setup;
 use crate::output::file_name;
@@ -101,7 +102,7 @@ fn of_program(name: &str, bytes: &[u8], opened: &Opened, setup: &Setup) -> Resul
     let commanded = CompensatedProgram::from_job_steps(told, &setup.model.compensation);
     let steps: Vec<JobStep> = shape.iter().copied().map(JobStep::from).collect();
     let wire = JobWire {
-        vertices: vertices(name, &path)?,
+        vertices: vertices(&path, setup.model.wire.diameter.mm() / 2.0),
         path_mm: path.iter().map(|point| [point.x, point.y, point.z]).collect(),
         nominal: steps.clone(),
         spans: (0..steps.len()).map(|k| [k, k + 1]).collect(),
@@ -129,13 +130,70 @@ fn of_program(name: &str, bytes: &[u8], opened: &Opened, setup: &Setup) -> Resul
     Ok(Job::seal(JobContents { objections, ..contents })?)
 }
 
-/// An id for each point of a path; points that lie on each other have the same one.
-fn vertices(name: &str, path: &[Point3<f64>]) -> Result<Vec<u32>, PlanningError> {
-    let weld = Length::from_mm(default_weld_mm()).unwrap_or_default();
-    let damaged = |reason: String| PlanningError::DamagedJob { name: name.to_owned(), reason };
-    let (_, order) = wireframe_of_path(path, weld).map_err(|(_, error)| damaged(error.to_string()))?;
-    if order.len() != path.len() {
-        return Err(damaged("its wire stays at a vertex".to_owned()));
+/// An id for each point of a path. Points that lie within `reach` mm of each other are one: the numbers of a program are rounded, and
+/// where the middles of wires come closer than half of the wire they are joined. Each point is another one than that before it.
+fn vertices(path: &[Point3<f64>], reach: f64) -> Vec<u32> {
+    let cell = |point: &Point3<f64>| point.coords.map(|mm| (mm / reach).floor());
+    let key = |cell: Vector3<f64>| [cell.x, cell.y, cell.z].map(f64::to_bits);
+    let around = [-1.0, 0.0, 1.0];
+    let around = around.into_iter().flat_map(|x| around.into_iter().map(move |y| (x, y)));
+    let around: Vec<_> = around.flat_map(|(x, y)| [-1.0, 0.0, 1.0].map(|z| Vector3::new(x, y, z))).collect();
+    let mut known: Vec<Point3<f64>> = Vec::new();
+    let mut cells: BTreeMap<[u64; 3], Vec<usize>> = BTreeMap::new();
+    let mut order: Vec<usize> = Vec::new();
+    for point in path {
+        let off = |id: usize| (known[id] - point).norm();
+        // Zero and -0.0 are one cell.
+        let near =
+            around.iter().filter_map(|off| cells.get(&key(cell(point) + off + Vector3::zeros()))).flatten();
+        let near = near.copied().filter(|&id| order.last() != Some(&id) && off(id) <= reach);
+        let nearest = near.min_by(|&one, &other| off(one).total_cmp(&off(other)).then(one.cmp(&other)));
+        let id = nearest.unwrap_or(known.len());
+        if id == known.len() {
+            known.push(*point);
+            cells.entry(key(cell(point) + Vector3::zeros())).or_default().push(id);
+        }
+        order.push(id);
     }
-    Ok(order.iter().map(|id| id.0).collect())
+    order.into_iter().map(|id| u32::try_from(id).unwrap_or(u32::MAX)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use wirebend_core::checks::Diagnostic;
+
+    use super::*;
+
+    /// What a joint of the design is must be one here: a wire that meets itself there would count as one that hits itself.
+    #[test]
+    fn points_that_rounding_has_moved_apart_are_one_and_what_only_follows_is_not() {
+        let path =
+            [[0.0, 0.0, 0.0], [30.0, 0.0, 0.0], [30.0, 30.0, 0.0], [30.0, 30.0, 0.002], [-0.02, 0.01, 0.0]];
+        assert_eq!(vertices(&path.map(Point3::from), 1.5), [0, 1, 2, 3, 0]);
+        let apart = [[0.0, 0.0, 0.0], [30.0, 0.0, 0.0], [30.0, 30.0, 0.0], [0.0, 1.6, 0.0]];
+        assert_eq!(vertices(&apart.map(Point3::from), 1.5), [0, 1, 2, 3]);
+    }
+
+    /// It is run as it was exported: what the checks say of it is what they say of the design.
+    #[test]
+    fn an_exported_program_of_a_closed_wire_is_checked_as_its_design_is() {
+        let app = Installation::new(&[]).unwrap();
+        let example = format!("{}/../../examples/house.obj", env!("CARGO_MANIFEST_DIR"));
+        let opened = DesignInput::file(example.into()).open(&crate::NoProgress).unwrap();
+        let choices = crate::PlanChoices { machine: Some("wirebend-kit".into()), ..Default::default() };
+        let mut planned = app.plan_design(opened, &choices, &crate::NoProgress).unwrap();
+        let text = include_bytes!("../../../../tests/golden/house/wirebend-kit.txt");
+        let of = ProgramMachine { machine: Some("wirebend-kit"), material: None };
+        let job = job_of_file(&app, "house.txt", text, of).unwrap();
+        let mut given = GivenWires::of("house.txt", &job, &planned.setup).unwrap();
+        assert_eq!(planned.find_collisions_in_time(), None);
+        assert_eq!(given.find_collisions(&planned.setup), None);
+        let contacts = |findings: &mut dyn Iterator<Item = &Diagnostic>| -> Vec<_> {
+            findings
+                .filter(|one| one.location.step.is_some())
+                .map(|one| (one.code(), one.location.step))
+                .collect()
+        };
+        assert_eq!(contacts(&mut given.findings()), contacts(&mut planned.wires[0].diagnostics.iter()));
+    }
 }
