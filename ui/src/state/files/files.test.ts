@@ -20,12 +20,17 @@ import { mayClose, quit, useClosing } from "./closing";
 import { mayLeave, newDesign, openPath, restore, save, saveAs, useFiles } from "./files";
 
 /** The Rust side, as far as it is asked here: whether its design is changed, and what it is called. */
-const rust = { changed: false, name: "A" };
+const rust: { changed: boolean; name: string; file: string | null } = {
+  changed: false,
+  name: "A",
+  file: "/there/a.wirebend",
+};
 const view = () => ({
   state: {
     changed: rust.changed,
     name: rust.name,
-    file: "/there/a.wirebend",
+    file: rust.file,
+    notes: "",
     machine: null,
     units: "mm",
     stencils: [],
@@ -72,7 +77,7 @@ const turns = () => new Promise((resolve) => setTimeout(resolve));
 const change = () => edit({ edit: "delete", vertices: [0], edges: [] });
 
 beforeEach(() => {
-  Object.assign(rust, { changed: false, name: "A" });
+  Object.assign(rust, { changed: false, name: "A", file: "/there/a.wirebend" });
   held.clear();
   for (const mock of [platform.ask, platform.stop, platform.close, platform.pickSave]) mock.mockReset();
   platform.ask.mockImplementation(answered);
@@ -91,6 +96,13 @@ describe("leaving a design", () => {
     expect(asked()).toEqual(["edit"]);
     useFiles.getState().leaving?.("stay");
     expect(await left).toBe(false);
+    expect(useFiles.getState().leaving).toBeNull();
+  });
+
+  it("asks nothing of a new design in which nothing was drawn, whatever machine was chosen for it", async () => {
+    rust.file = null;
+    await change();
+    expect(await mayLeave()).toBe(true);
     expect(useFiles.getState().leaving).toBeNull();
   });
 

@@ -106,12 +106,20 @@ async function askLeaving(): Promise<"save" | "drop" | "stay"> {
   return say;
 }
 
+/** Whether something would be lost that a person has made: a machine that was chosen for an empty design is chosen again. */
+function wouldLose(): boolean {
+  const { state, vertices } = useDesign.getState();
+  if (!state?.changed) return false;
+  const { file, notes, stencils, construction_mm } = state;
+  return file !== null || vertices.size > 0 || stencils.length > 0 || construction_mm.length > 0 || notes !== "";
+}
+
 /** True when the design may be replaced: it is saved, or the person gives it up. */
 export async function mayLeave(): Promise<boolean> {
   for (;;) {
     // What is still on its way may be a change, also one that was made while it was saved.
     await settled();
-    if (!useDesign.getState().state?.changed) return true;
+    if (!wouldLose()) return true;
     const say = await askLeaving();
     if (say === "drop") return true;
     if (say === "stay" || !(await save())) return false;
