@@ -71,7 +71,7 @@ impl Task<'_> {
             Err(error) => return (Some(connection), Err(error)),
         };
         if let Some(Piece { number, of }) = journal.state().heading.piece {
-            lines.push(format!("it is piece {number} of {of}; those after it are ordered anew"));
+            lines.push(format!("it is piece {number} of {of}; arm the machine again for those after it"));
         }
         let ahead = |pause: &&JobPause| pause.after > journal.state().done;
         let ahead: Vec<JobPause> = self.pauses(wire).iter().filter(ahead).cloned().collect();

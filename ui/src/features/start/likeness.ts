@@ -2,7 +2,8 @@
 const THINGS: readonly (readonly [number, string])[] = [
   [24, "about as large as a coin"],
   [55, "about as long as a match"],
-  [90, "about as long as a playing card"],
+  [75, "about as long as a little finger"],
+  [100, "about as long as a playing card"],
   [190, "about as long as a pencil"],
   [240, "about as long as a sheet of paper is wide"],
   [330, "about as large as a bottle"],
