@@ -24,6 +24,7 @@ pub use wirebend_editor::{
 };
 pub use wirebend_operation::by_hand::{DryRunRequest, JogRequest, JogResponse, ReplayRequest};
 pub use wirebend_operation::calibrate::CalibrateEnterRequest;
+pub use wirebend_operation::console::{ConsoleEntry, ConsoleRequest, ConsoleResponse};
 pub use wirebend_operation::machine_settings::{MachineSettingsRequest, MachineSettingsResponse};
 pub use wirebend_operation::ports::{PortEntry, PortsRequest, PortsResponse};
 pub use wirebend_operation::runs::{

@@ -6,7 +6,7 @@ use schemars::generate::SchemaSettings;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 use wirebend_operation::calibrate::enter as calibrate_enter;
-use wirebend_operation::{by_hand, machine_settings, ports, run, runs};
+use wirebend_operation::{by_hand, console, machine_settings, ports, run, runs};
 use wirebend_planning::{
     calibrate, catalogue, compare, drivers, dump, export, frame, generate, import, plan, profiles, sequence,
     wires,
@@ -17,19 +17,19 @@ use crate::{
     ApiError, CalibrateApplyRequest, CalibrateApplyResponse, CalibrateCompareRequest,
     CalibrateCompareResponse, CalibrateEnterRequest, CalibrateEnterResponse, CalibrateFitRequest,
     CalibrateNewRequest, CalibrateNewResponse, CalibrationReport, CalibrationSheet, CalibrationSheetRequest,
-    CheckRequest, CheckResponse, Collisions, CompareRequest, CompareResponse, DrawnSequence,
-    DriverCheckRequest, DriverCheckResponse, DriverTrustRequest, DriverTrustResponse, DriversRequest,
-    DriversResponse, DryRunRequest, DumpRequest, DumpResponse, ExportRequest, ExportResponse, FrameRequest,
-    FrameResponse, FrontEnd, GenerateRequest, GenerateResponse, ImportRequest, ImportResponse, Installation,
-    JogRequest, JogResponse, LiveCheck, MachineSettingsRequest, MachineSettingsResponse, MachinesRequest,
-    MachinesResponse, MaterialsRequest, MaterialsResponse, OperatorEvent, PlanRequest, PlanResponse,
-    PortsRequest, PortsResponse, PredictionRequest, ProfileCheckRequest, ProfileCheckResponse,
-    ProfileExplainRequest, ProfileExplainResponse, ProfileExportRequest, ProfileExportResponse,
-    ProfileImportRequest, ProfileImportResponse, ProfileNewRequest, ProfileNewResponse, ProfileRevertRequest,
-    ProfileRevertResponse, ProfileSetRequest, ProfileSetResponse, ReplayRequest, RunRequest, RunResponse,
-    RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse, RunsShowRequest, RunsShowResponse,
-    SequenceRequest, SequenceResponse, SimulateRequest, SimulateResponse, ToleranceRequest,
-    ToleranceResponse, WiresRequest, WiresResponse,
+    CheckRequest, CheckResponse, Collisions, CompareRequest, CompareResponse, ConsoleRequest,
+    ConsoleResponse, DrawnSequence, DriverCheckRequest, DriverCheckResponse, DriverTrustRequest,
+    DriverTrustResponse, DriversRequest, DriversResponse, DryRunRequest, DumpRequest, DumpResponse,
+    ExportRequest, ExportResponse, FrameRequest, FrameResponse, FrontEnd, GenerateRequest, GenerateResponse,
+    ImportRequest, ImportResponse, Installation, JogRequest, JogResponse, LiveCheck, MachineSettingsRequest,
+    MachineSettingsResponse, MachinesRequest, MachinesResponse, MaterialsRequest, MaterialsResponse,
+    OperatorEvent, PlanRequest, PlanResponse, PortsRequest, PortsResponse, PredictionRequest,
+    ProfileCheckRequest, ProfileCheckResponse, ProfileExplainRequest, ProfileExplainResponse,
+    ProfileExportRequest, ProfileExportResponse, ProfileImportRequest, ProfileImportResponse,
+    ProfileNewRequest, ProfileNewResponse, ProfileRevertRequest, ProfileRevertResponse, ProfileSetRequest,
+    ProfileSetResponse, ReplayRequest, RunRequest, RunResponse, RunsExportRequest, RunsExportResponse,
+    RunsRequest, RunsResponse, RunsShowRequest, RunsShowResponse, SequenceRequest, SequenceResponse,
+    SimulateRequest, SimulateResponse, ToleranceRequest, ToleranceResponse, WiresRequest, WiresResponse,
 };
 
 macro_rules! requests {
@@ -174,6 +174,8 @@ requests! {
         DryRun(DryRunRequest) -> JogResponse = by_hand::dry_run, "dry-run";
         /// Compares a machine's settings with its profile, or writes them.
         MachineSettings(MachineSettingsRequest) -> MachineSettingsResponse = machine_settings::machine_settings, "machine-settings";
+        /// Passes lines on to a machine that a person has typed.
+        Console(ConsoleRequest) -> ConsoleResponse = console::console, "console";
         /// Writes the record of a run to a file.
         RunsExport(RunsExportRequest) -> RunsExportResponse = runs::export, "runs-export";
         /// Shows the value of one stage.

@@ -123,6 +123,7 @@ const fn is_live(command: &Command) -> bool {
             | Command::Replay(_)
             | Command::DryRun(_)
             | Command::MachineSettings(_)
+            | Command::Console(_)
     )
 }
 

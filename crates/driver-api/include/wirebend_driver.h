@@ -43,8 +43,9 @@ extern "C" {
    1.0: "resume" of "connect", "token" in the reply of "arm", "going_on" of "connected". 1.2 has the call "limits",
    and one key more, "reference" of "connected": "machine" (the default) or "person". 1.5 has the call and the event "speed",
    and the key "dry" of "jog", for drivers with the capabilities "speed" and "dry-run" alone. 1.6 has the
-   capability "before-zero": "approach_deg" and "bend_deg" of a step may have one sign. docs/drivers.md has all of them. */
-#define WIREBEND_ABI_MINOR 6u
+   capability "before-zero": "approach_deg" and "bend_deg" of a step may have one sign. 1.7 has the call "console" and the event
+   "console-done", for drivers with the capability "console" alone. docs/drivers.md has all of them. */
+#define WIREBEND_ABI_MINOR 7u
 
 /* What a function returns. */
 #define WIREBEND_OK 0      /* done; the buffer holds the result */

@@ -5,7 +5,7 @@ use std::ffi::{c_char, c_void};
 /// Drivers and programs with the same major understand each other.
 pub const ABI_MAJOR: u32 = 1;
 /// A larger minor has more messages or extensions; nothing that was there has changed.
-pub const ABI_MINOR: u32 = 6;
+pub const ABI_MINOR: u32 = 7;
 /// The one symbol that a driver exports.
 pub const ENTRY_SYMBOL: &str = "wirebend_driver_entry";
 /// A function did what it was asked to; `out` holds its result.

@@ -55,6 +55,17 @@ pub enum Call {
         /// The override, percent.
         percent: u8,
     },
+    /// Passes on a line that a person has typed, if it is one that the driver lets pass. Only while the machine stands and no wire is
+    /// armed. Reply: `{}`; then `console` for the line and each line of the answer, and `console-done` or `fault`. Since 1.7.
+    Console {
+        /// The line, without its end: see [`ConsoleLine`].
+        #[schemars(length(min = 1, max = 256), pattern(r"^[^\p{Cc}]+$"))]
+        line: String,
+        /// A person has confirmed that the machine may move or be changed by it. Without it the driver takes questions alone, which
+        /// change nothing, and refuses everything else as [`DriverError::NOT_A_QUESTION`](crate::DriverError::NOT_A_QUESTION).
+        #[serde(default)]
+        may_change: bool,
+    },
     /// Stops at once. Reply: `{}`; then `stopped`. Always allowed once connected.
     Stop,
     /// Writes the driver's settings to the machine, for good. Reply: `{}`; then `settings-written` or `fault`.
@@ -78,6 +89,7 @@ pub(crate) enum CallName {
     Pause,
     Resume,
     Speed,
+    Console,
     Stop,
     WriteSettings,
 }

@@ -56,6 +56,8 @@ pub enum Capability {
     Speed,
     /// Takes bends whose axis stops at zero or before it: see [`Step::approach_deg`](crate::Step::approach_deg). Since 1.6.
     BeforeZero,
+    /// Passes on lines that a person types: see [`Call::Console`](crate::Call::Console). Since 1.7.
+    Console,
     /// Something of a later minor version, which this one does not know.
     #[serde(other)]
     #[schemars(skip)]

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::json;
 
 use crate::call::{CallName, SPEEDS};
-use crate::{Call, Description, DriverError, MachineDriver, MachineSession, Ports};
+use crate::{Call, ConsoleLine, Description, DriverError, MachineDriver, MachineSession, Ports};
 
 /// What a function of the table answers: JSON, or a refusal.
 pub(crate) type Answer = Result<Vec<u8>, DriverError>;
@@ -101,6 +101,10 @@ impl<D: MachineDriver> Instance<D> {
                 );
                 return Err(DriverError::new("speed", what, ""));
             }
+            Call::Console { line, may_change } => {
+                let line = ConsoleLine::new(&line)?;
+                self.session()?.console(&line, may_change)?;
+            }
             Call::Pause => self.session()?.pause()?,
             Call::Resume => self.session()?.resume()?,
             Call::Stop => self.session()?.stop()?,
@@ -179,6 +183,7 @@ mod tests {
             Call::Send(_) => CallName::Send,
             Call::Jog(_) => CallName::Jog,
             Call::Speed { .. } => CallName::Speed,
+            Call::Console { .. } => CallName::Console,
             Call::Pause => CallName::Pause,
             Call::Resume => CallName::Resume,
             Call::Stop => CallName::Stop,
@@ -200,6 +205,7 @@ mod tests {
             Call::Send(Batch { steps: Vec::new(), last: true }),
             Call::Jog(Motion::new(Axis::Feed, 1.0)),
             Call::Speed { percent: 50 },
+            Call::Console { line: "$$".to_owned(), may_change: false },
             Call::Pause,
             Call::Resume,
             Call::Stop,

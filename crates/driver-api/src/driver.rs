@@ -4,7 +4,8 @@ use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
 
 use crate::{
-    ArmedReply, Batch, Description, DriverError, Encoded, Event, Job, Limits, Motion, Port, Run, Sent,
+    ArmedReply, Batch, ConsoleLine, Description, DriverError, Encoded, Event, Job, Limits, Motion, Port, Run,
+    Sent,
 };
 
 /// A driver: settings turned into something that writes jobs and, where it can, moves a machine.
@@ -134,6 +135,15 @@ pub trait MachineSession {
     /// What the machine cannot do.
     fn set_speed(&mut self, _percent: u8) -> Result<(), DriverError> {
         Err(DriverError::unsupported("change the speed"))
+    }
+
+    /// [`Call::Console`](crate::Call::Console). What the driver does by itself, and what would leave the machine in a state that the
+    /// driver does not follow, it refuses.
+    ///
+    /// # Errors
+    /// [`DriverError`] that says why the line is not passed on; [`DriverError::not_a_question`] where it needs `may_change`.
+    fn console(&mut self, _line: &ConsoleLine, _may_change: bool) -> Result<(), DriverError> {
+        Err(DriverError::unsupported("take typed lines"))
     }
 
     /// Writes the driver's settings to the machine, for good. Nothing moves.

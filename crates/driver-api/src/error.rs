@@ -34,6 +34,19 @@ impl DriverError {
     /// The code of refusals after one.
     pub(crate) const PANICKED: &'static str = "panicked";
 
+    /// The code of the refusal of a console line that may change something, without a person's confirmation. Since 1.7.
+    pub const NOT_A_QUESTION: &'static str = "not-a-question";
+
+    /// A console line may move the machine or change what it has stored, and nobody has confirmed that.
+    #[must_use]
+    pub fn not_a_question(line: &str) -> Self {
+        Self::new(
+            Self::NOT_A_QUESTION,
+            format!("'{line}' may move the machine or change its settings"),
+            "confirm that it may",
+        )
+    }
+
     /// What the driver or its machine cannot do at all.
     #[must_use]
     pub fn unsupported(what: &str) -> Self {

@@ -81,7 +81,8 @@ pub enum Event {
     },
     /// Where the axes are, in the machine's signs.
     Position(Step),
-    /// The driver's settings are in the machine, which has been asked for them afterwards. Since 1.1.
+    /// Settings were stored in the machine, by `write-settings`, or perhaps by a line of the console, and the machine has been asked
+    /// for them afterwards. Since 1.1.
     SettingsWritten {
         /// The machine's settings against those of the driver, as in `connected`.
         #[serde(default)]
@@ -97,6 +98,16 @@ pub enum Event {
         wire_mm: Vec<[f64; 3]>,
         /// Both ends, and between them where its straight parts meet when they are prolonged, mm.
         corners_mm: Vec<[f64; 3]>,
+    },
+    /// The line of [`Call::Console`](crate::Call::Console) was answered, and the machine stands. Where it may have changed what the
+    /// machine has stored, `settings-written` comes before. Since 1.7.
+    ConsoleDone {
+        /// Whether the machine still knows where its axes are. After anything but a question it does not.
+        #[serde(default)]
+        homed: bool,
+        /// Whether an axis may have moved: not for a question, nor where only something was stored.
+        #[serde(default = "yes")]
+        moved: bool,
     },
     /// A line to or from the machine.
     Console {
@@ -124,6 +135,10 @@ pub enum Event {
     #[serde(other)]
     #[schemars(skip)]
     Unknown,
+}
+
+const fn yes() -> bool {
+    true
 }
 
 /// Whether the machine or a person brings the axes to their reference.

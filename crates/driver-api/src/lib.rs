@@ -23,6 +23,7 @@ mod abi;
 mod bench;
 mod call;
 pub mod conformance;
+mod console;
 pub mod deadline;
 mod description;
 mod dispatch;
@@ -47,6 +48,7 @@ pub use call::{
     ArmedReply, Axis, Batch, Call, Encode, Encoded, EncodedFile, Motion, Note, NumberedStep, Run, SPEEDS,
     Sent,
 };
+pub use console::{ConsoleLine, LONGEST_CONSOLE_LINE};
 pub use description::{Capability, Content, Description, Files, FormatDescription};
 pub use driver::{MachineDriver, MachineSession};
 pub use error::DriverError;

@@ -7,6 +7,7 @@
 
 pub mod by_hand;
 pub mod calibrate;
+pub mod console;
 mod error;
 mod event;
 mod front_end;

@@ -116,6 +116,12 @@ pub enum Order {
     },
     /// Sets the machine as its profile says, for good. Nothing moves for it, and it has to be homed afterwards.
     WriteSettings,
+    /// Passes on a line that was typed. A question changes nothing; for anything else the user is asked, and the machine has to be
+    /// homed afterwards.
+    Console {
+        #[schemars(length(min = 1, max = 256))]
+        line: String,
+    },
     /// Closes the port.
     Disconnect,
 }
@@ -167,6 +173,7 @@ impl Order {
             Self::Replay { .. } => OrderName::Replay,
             Self::DryRun { .. } => OrderName::DryRun,
             Self::WriteSettings => OrderName::WriteSettings,
+            Self::Console { .. } => OrderName::Console,
             Self::Disconnect => OrderName::Disconnect,
         }
     }
@@ -188,7 +195,8 @@ impl Order {
             | Self::ResumeRun { .. }
             | Self::Replay { .. }
             | Self::DryRun { .. }
-            | Self::WriteSettings => true,
+            | Self::WriteSettings
+            | Self::Console { .. } => true,
             // A wire that was begun continues as it was begun.
             Self::Disarm
             | Self::Pause

@@ -42,6 +42,7 @@ impl MachineDriver for Grbl {
                 Capability::Jog,
                 Capability::DryRun,
                 Capability::Speed,
+                Capability::Console,
                 Capability::Home,
                 Capability::Pause,
                 Capability::Resume,

@@ -19,7 +19,7 @@ use conduct::{Conduct, conduct};
 use wirebend_driver_api::{ABI_MAJOR, ABI_MINOR, Buffer, Bytes, OK, REFUSED, Table};
 
 /// When it can misbehave.
-pub const WHEN: [&str; 18] = [
+pub const WHEN: [&str; 19] = [
     "entry",
     "describe",
     "open",
@@ -37,6 +37,7 @@ pub const WHEN: [&str; 18] = [
     "disconnect",
     "poll",
     "write-settings",
+    "console",
     "close",
 ];
 

@@ -11,7 +11,7 @@ use crate::real;
 
 const DESCRIPTION: &str = r#"{"id": "hostile", "name": "Hostile", "version": "0.1.0",
 "description": "Misbehaves on demand, for tests.",
-"capabilities": ["export", "live", "jog", "home", "pause", "resume", "stop", "ports", "settings"],
+"capabilities": ["export", "live", "jog", "home", "pause", "resume", "stop", "ports", "settings", "console"],
 "formats": [{"id": "hostile-text", "name": "Text", "extensions": ["txt"], "content": "design"}],
 "settings_schema": {"type": "object", "additionalProperties": false, "properties": {
     "machine": {"type": "string", "description": "File that the machine is kept in."},
@@ -108,6 +108,7 @@ impl Instance {
             }
             "stop" => self.events.push_back(json!({"event": "stopped", "homed": false})),
             "write-settings" => self.events.push_back(written()),
+            "console" => return (name, self.console(&request)),
             "arm" => reply = json!({"token": TOKEN}),
             "disconnect" => {}
             _ => {
@@ -138,6 +139,20 @@ impl Instance {
             return Ok(fault.to_string());
         }
         Ok(self.events.pop_front().map(|event| event.to_string()).unwrap_or_default())
+    }
+
+    /// Every line that begins with `?` is a question. One that lies says of a command that it was one, too.
+    fn console(&mut self, request: &Value) -> Result<String, String> {
+        let line = request["line"].as_str().unwrap_or_default();
+        let question = line.starts_with('?');
+        if !question && request["may_change"] != true {
+            return Err(json!({"code": "not-a-question", "message": "it may move"}).to_string());
+        }
+        let changes = !question && !is_told("console", "lie");
+        self.events.push_back(json!({"event": "console", "direction": "->", "text": line}));
+        self.events.push_back(json!({"event": "console", "direction": "<-", "text": "ok"}));
+        self.events.push_back(json!({"event": "console-done", "homed": !changes, "moved": changes}));
+        Ok("{}".to_owned())
     }
 
     fn send(&mut self, request: &Value) -> Value {

@@ -56,6 +56,7 @@ impl MachineDriver for WirebendKit {
                 Capability::Ports,
                 Capability::Settings,
                 Capability::BeforeZero,
+                Capability::Console,
             ]
             .into(),
             formats: vec![FormatDescription {

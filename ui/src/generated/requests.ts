@@ -630,6 +630,10 @@ export type Order =
       order: "write-settings";
     }
   | {
+      line: string;
+      order: "console";
+    }
+  | {
       order: "disconnect";
     };
 /**

@@ -17,6 +17,7 @@ export type OrderName =
   | "replay"
   | "dry-run"
   | "write-settings"
+  | "console"
   | "disconnect";
 /**
  * Why an order is not possible now.
@@ -596,7 +597,8 @@ export type InputName =
 /**
  * What a question is about.
  */
-export type QuestionKind = "head" | "move" | "arm" | "piece" | "go-on" | "pause" | "doubt" | "said" | "settings";
+export type QuestionKind =
+  "head" | "move" | "arm" | "piece" | "go-on" | "pause" | "doubt" | "said" | "settings" | "console";
 /**
  * What reports that a step is done.
  */
@@ -937,7 +939,8 @@ export type Capability =
   | "settings"
   | "dry-run"
   | "speed"
-  | "before-zero";
+  | "before-zero"
+  | "console";
 /**
  * What a format holds.
  */

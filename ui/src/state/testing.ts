@@ -43,6 +43,7 @@ const ORDERS: Readonly<Record<OrderName, true>> = {
   replay: true,
   "dry-run": true,
   "write-settings": true,
+  console: true,
   disconnect: true,
 };
 

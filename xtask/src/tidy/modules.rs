@@ -29,7 +29,7 @@ const ORDER: &[(&str, &str)] = &[
     ("crates/journal", "error chain reading log"),
     (
         "crates/driver-api",
-        "port error number job bench serial description call limits event deadline driver dispatch schemas abi glue table transcript \
+        "port error number job bench serial description console call limits event deadline driver dispatch schemas abi glue table transcript \
          conformance",
     ),
     (
@@ -47,7 +47,7 @@ const ORDER: &[(&str, &str)] = &[
     ),
     (
         "crates/operation",
-        "event phase pieces order error front_end runs calibrate live ports machine_settings simulate run by_hand operator",
+        "event phase pieces order error front_end runs calibrate live ports machine_settings console simulate run by_hand operator",
     ),
     ("crates/api", "error places workspace requests asking"),
     (

@@ -200,6 +200,22 @@ pub(crate) struct MachineSettingsArgs {
     pub yes: bool,
 }
 
+#[derive(Debug, Args)]
+pub(crate) struct ConsoleArgs {
+    /// Machine, by id (see `wirebend machines`)
+    #[arg(long, short, value_name = "ID")]
+    pub machine: String,
+    /// Port of the machine, such as /dev/ttyACM0 or COM3 (see `wirebend ports`); where none is named, the simulated machine is asked
+    #[arg(long, short, value_name = "PORT")]
+    pub port: Option<String>,
+    /// Say that the machine may move or be changed, instead of being asked before each line that is no question
+    #[arg(long, short)]
+    pub yes: bool,
+    /// Lines, one after the other; without any they are read from standard input
+    #[arg(value_name = "LINE")]
+    pub lines: Vec<String>,
+}
+
 #[derive(Debug, Subcommand)]
 pub(crate) enum RunsCommand {
     /// List the wires that were bent

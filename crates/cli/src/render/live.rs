@@ -3,8 +3,8 @@
 use std::io::Write;
 
 use wirebend_api::{
-    DoneBy, JogResponse, LeftBecause, MachineSettingsResponse, PiecesReport, PortsResponse, RunOutcome,
-    RunResponse, SeverityName, Standstill, StoppedBy, StoppedIn, Usb, WireRun, shown_deg,
+    ConsoleResponse, DoneBy, JogResponse, LeftBecause, MachineSettingsResponse, PiecesReport, PortsResponse,
+    RunOutcome, RunResponse, SeverityName, Standstill, StoppedBy, StoppedIn, Usb, WireRun, shown_deg,
 };
 
 use super::number::{count, duration};
@@ -176,6 +176,27 @@ pub(super) fn ports(
 fn described(description: &str, usb: Option<&Usb>) -> String {
     let serial = usb.and_then(|usb| usb.serial.as_ref());
     serial.map_or_else(|| description.to_owned(), |serial| format!("{description}, serial number {serial}"))
+}
+
+/// What was sent and answered, each line with its time; what else there is to say goes elsewhere.
+pub(super) fn console(
+    out: &mut impl Write,
+    err: &mut impl Write,
+    found: &ConsoleResponse,
+) -> std::io::Result<()> {
+    for line in &found.lines {
+        let way = if line.to_machine { "->" } else { "<-" };
+        writeln!(out, "{} {way} {}", line.at, line.text)?;
+    }
+    if found.stopped {
+        writeln!(err, "stopped: {} of {} answered", found.answered, count(found.of, "line", "lines"))?;
+    }
+    if let Some(problem) = &found.problem {
+        let style = severity_style(SeverityName::Error);
+        writeln!(err, "{style}error{style:#}[{}]: {}", problem.code, problem.message)?;
+        advice::write(err, &problem.remedies)?;
+    }
+    Ok(())
 }
 
 pub(super) fn machine_settings(

@@ -62,6 +62,9 @@ pub(crate) fn show(response: &Response, json: bool, contents: Contents) -> anyho
             Response::MachineSettings(found) => {
                 live::machine_settings(&mut std::io::stdout().lock(), &mut err, found)?;
             }
+            Response::Console(found) => {
+                live::console(&mut std::io::stdout().lock(), &mut err, found)?;
+            }
             Response::Runs(found) => runs::list(&mut std::io::stdout().lock(), &mut err, found)?,
             Response::RunsShow(found) => runs::show(&mut std::io::stdout().lock(), found)?,
             Response::RunsExport(found) => runs::export(&mut err, found)?,
@@ -122,7 +125,10 @@ fn status(response: &Response) -> u8 {
         {
             return exit::FAILURE;
         }
+        Response::Console(found) if found.stopped => return exit::STOPPED,
+        Response::Console(found) if found.problem.is_some() => return exit::FAILURE,
         Response::Jog(_)
+        | Response::Console(_)
         | Response::Replay(_)
         | Response::DryRun(_)
         | Response::Ports(_)

@@ -1,17 +1,18 @@
 //! The requests of what moves a machine, or asks it.
 
 use wirebend_api::{
-    Answers, Command, DryRunRequest, JogRequest, MachineSettingsRequest, Output, PortsRequest, Repeat,
-    ReplayRequest, RunHow, RunRequest, RunsExportRequest, RunsRequest, RunsShowRequest, SimulatedAs,
+    Answers, Command, ConsoleRequest, DryRunRequest, JogRequest, MachineSettingsRequest, Output,
+    PortsRequest, Repeat, ReplayRequest, RunHow, RunRequest, RunsExportRequest, RunsRequest, RunsShowRequest,
+    SimulatedAs,
 };
 
 use super::{Prepared, input, place};
 use crate::args::live::{
-    Answer, DryRunArgs, JogArgs, MachineSettingsArgs, PortArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand,
-    ToRunArgs, ZeroArgs, moves,
+    Answer, ConsoleArgs, DryRunArgs, JogArgs, MachineSettingsArgs, PortArgs, PortsArgs, ReplayArgs, RunArgs,
+    RunsCommand, ToRunArgs, ZeroArgs, moves,
 };
 use crate::contents::Contents;
-use crate::usage::WrongUse;
+use crate::usage::{BadInput, WrongUse};
 
 pub(super) fn run(args: RunArgs) -> anyhow::Result<Command> {
     let RunArgs { what, wire, repeat, stock, resume, abandon, accept_settings, simulated, record, force } =
@@ -91,6 +92,19 @@ pub(super) fn ports(args: PortsArgs) -> Command {
 pub(super) fn machine_settings(args: MachineSettingsArgs) -> Command {
     let MachineSettingsArgs { machine, port, write, yes } = args;
     Command::MachineSettings(MachineSettingsRequest { machine, port, write, confirmed: yes })
+}
+
+pub(super) fn console(args: ConsoleArgs) -> anyhow::Result<Command> {
+    let ConsoleArgs { machine, port, yes, mut lines } = args;
+    if lines.is_empty() {
+        let text = String::from_utf8(super::standard_input()?)
+            .map_err(|_| BadInput("the lines of standard input are no UTF-8 text".to_owned()))?;
+        lines = text.lines().map(str::to_owned).filter(|line| !line.trim().is_empty()).collect();
+    }
+    if lines.is_empty() {
+        return Err(WrongUse("no line to send: name one, or write lines to standard input".to_owned()).into());
+    }
+    Ok(Command::Console(ConsoleRequest { machine, port, lines, confirmed: yes }))
 }
 
 pub(super) fn runs(command: RunsCommand) -> Prepared {

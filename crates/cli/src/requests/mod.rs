@@ -108,6 +108,7 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
         Subcommands::Replay(args) => written(live::replay(args)?),
         Subcommands::Ports(args) => written(live::ports(args)),
         Subcommands::MachineSettings(args) => written(live::machine_settings(args)),
+        Subcommands::Console(args) => written(live::console(args)?),
         Subcommands::Runs { command } => live::runs(command.unwrap_or(RunsCommand::List)),
         Subcommands::Dump { stage, design: args, choices: chosen } => {
             written(Command::Dump(DumpRequest { stage, design: design(&args)?, choices: choices(chosen)? }))
@@ -236,13 +237,17 @@ fn input(file: &Path) -> anyhow::Result<Input> {
     if file != Path::new("-") {
         return Ok(Input::File(file.to_owned()));
     }
+    Ok(Input::Bytes { name: "standard input".to_owned(), bytes: standard_input()? })
+}
+
+fn standard_input() -> anyhow::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let taken = std::io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes);
     taken.context("standard input cannot be read")?;
     if bytes.len() as u64 > MAX_BYTES {
         return Err(BadInput(format!("standard input is longer than {MAX_BYTES} bytes: give a file")).into());
     }
-    Ok(Input::Bytes { name: "standard input".to_owned(), bytes })
+    Ok(bytes)
 }
 
 fn design(args: &DesignArgs) -> anyhow::Result<DesignInput> {

@@ -86,10 +86,10 @@ fn capabilities(description: &Description) -> Result<(), String> {
         Capability::DryRun,
         Capability::Speed,
         Capability::BeforeZero,
+        Capability::Console,
     ];
     if connected.into_iter().any(can) && !can(Capability::Live) {
-        let connected =
-            "'jog', 'home', 'pause', 'stop', 'ports', 'settings', 'dry-run', 'speed' and 'before-zero'";
+        let connected = "'jog', 'home', 'pause', 'stop', 'ports', 'settings', 'dry-run', 'speed', 'before-zero' and 'console'";
         return Err(format!("{connected} need 'live'"));
     }
     if can(Capability::DryRun) && !can(Capability::Jog) {

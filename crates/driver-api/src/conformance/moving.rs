@@ -64,6 +64,7 @@ fn unconnected(subject: &mut dyn Subject) -> Result<(), String> {
         Call::Jog(Motion::new(Axis::Feed, 1.0)),
         Call::Pause,
         Call::Speed { percent: 50 },
+        Call::Console { line: "?".to_owned(), may_change: false },
         Call::Resume,
         Call::Stop,
         Call::WriteSettings,

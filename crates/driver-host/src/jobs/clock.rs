@@ -42,6 +42,12 @@ fn stamp(seconds: u64) -> String {
     at.unwrap_or(Timestamp::MAX).to_string()
 }
 
+/// The time of day in UTC, to a millisecond, such as `2026-05-01T09:30:00.250Z`.
+#[must_use]
+pub fn stamp_to_ms() -> String {
+    format!("{:.3}", Timestamp::now())
+}
+
 /// The time of a stamp of [`SystemClock`]; `None` for one that is none.
 #[must_use]
 pub fn stamped(stamp: &str) -> Option<SystemTime> {

@@ -162,6 +162,7 @@ const fn word(capability: Capability) -> &'static str {
         Capability::Jog => "jog",
         Capability::DryRun => "dry-run",
         Capability::BeforeZero => "before-zero",
+        Capability::Console => "console",
         Capability::Speed => "speed",
         Capability::Home => "home",
         Capability::Pause => "pause",

@@ -14,6 +14,9 @@ const ROUNDING_DEG: f64 = 1e-6;
 /// Closer than this the head is at its zero, degrees: finer than any of these machines turns it, and than a person reads.
 const AT_ZERO_DEG: f64 = 0.05;
 
+/// A cable allows a turn or less either way.
+const CABLE_DEG: f64 = 360.0;
+
 /// Where the head stands, degrees from its zero, in the machine's signs.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub enum HeadPlace {
@@ -98,6 +101,8 @@ pub(super) struct Head {
     ahead: VecDeque<f64>,
     /// Where it stands when the jog under way is over.
     jogged: Option<HeadPlace>,
+    /// Where it stood before the line of the console that is being carried out.
+    before_command: Option<HeadPlace>,
     /// The last position among the reports that are being taken.
     reported: Option<f64>,
 }
@@ -215,9 +220,20 @@ impl Head {
         Ok(before)
     }
 
+    /// Before a line of the console, which may turn the head by as much as its cable allows.
+    pub fn may_be_anywhere(&mut self) -> Result<HeadPlace, SessionError> {
+        let before = self.place;
+        if before != HeadPlace::Unsaid {
+            let (least, most) = before.range();
+            self.may_be(HeadPlace::hull([least, most, -CABLE_DEG, CABLE_DEG]))?;
+            self.before_command = Some(before);
+        }
+        Ok(before)
+    }
+
     /// What was to move was refused.
     pub fn stays(&mut self, place: HeadPlace) {
-        self.jogged = None;
+        (self.jogged, self.before_command) = (None, None);
         self.is(place);
     }
 
@@ -239,6 +255,12 @@ impl Head {
                     self.is(place);
                 }
             }
+            Event::ConsoleDone { moved, .. } => match self.before_command.take() {
+                Some(before) if !moved => self.is(before),
+                // It may count from elsewhere now.
+                Some(_) => (self.counted, self.base) = (false, None),
+                None => {}
+            },
             Event::Stopped { .. } => self.stands(),
             Event::Fault { disconnected, .. } => {
                 if self.by != HeadBy::Reference && !disconnected {
@@ -255,7 +277,7 @@ impl Head {
     /// The machine stands, and has said where.
     fn stands(&mut self) {
         self.ahead.clear();
-        self.jogged = None;
+        (self.jogged, self.before_command) = (None, None);
         if let (HeadPlace::Between(..), Some(reported), Some(base)) = (self.place, self.reported, self.base) {
             self.is(HeadPlace::At(reported + base));
         }

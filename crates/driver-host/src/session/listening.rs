@@ -64,7 +64,7 @@ impl Session {
             }
             Event::Position(position) => self.position = Some(*position),
             Event::Speed { percent } => self.speed_percent = *percent,
-            Event::Jogged => self.guard.rests(),
+            Event::Jogged | Event::ConsoleDone { .. } => self.guard.rests(),
             Event::Finished if believed => self.guard.rests(),
             Event::Stopped { .. } => self.guard.confirm(),
             // It no longer waits for the stop.

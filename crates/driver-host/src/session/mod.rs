@@ -2,6 +2,7 @@
 
 mod armed;
 mod axes;
+mod console;
 mod error;
 mod head;
 mod listening;

@@ -243,7 +243,7 @@ impl Session {
     }
 
     /// A refusal leaves the head where it was.
-    fn faulting_before<T>(
+    pub(super) fn faulting_before<T>(
         &mut self,
         called: Result<T, HostError>,
         place: HeadPlace,

@@ -39,12 +39,14 @@ pub enum OrderName {
     DryRun,
     /// Sets the machine as its profile says, for good. Nothing moves for it, and it has to be homed afterwards.
     WriteSettings,
+    /// Passes on a line that was typed.
+    Console,
     /// Closes the port.
     Disconnect,
 }
 
 impl OrderName {
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Home,
         Self::Jog,
         Self::Arm,
@@ -58,6 +60,7 @@ impl OrderName {
         Self::Replay,
         Self::DryRun,
         Self::WriteSettings,
+        Self::Console,
         Self::Disconnect,
     ];
 
@@ -71,6 +74,7 @@ impl OrderName {
             Self::Resume => Some(Capability::Resume),
             Self::Speed => Some(Capability::Speed),
             Self::WriteSettings => Some(Capability::Settings),
+            Self::Console => Some(Capability::Console),
             _ => None,
         }
     }
@@ -92,6 +96,7 @@ impl fmt::Display for OrderName {
             Self::Replay => "replaying moves",
             Self::DryRun => "a dry run",
             Self::WriteSettings => "writing settings",
+            Self::Console => "a line of the console",
             Self::Disconnect => "disconnecting",
         })
     }
@@ -180,8 +185,8 @@ impl Orders {
 /// The table.
 const fn refusal(phase: Phase, order: OrderName, reference: ReferenceBy) -> Option<Because> {
     use OrderName::{
-        Abandon, Arm, Disarm, Disconnect, DryRun, Home, Jog, Pause, Replay, Resume, ResumeRun, Speed, Start,
-        WriteSettings,
+        Abandon, Arm, Console, Disarm, Disconnect, DryRun, Home, Jog, Pause, Replay, Resume, ResumeRun,
+        Speed, Start, WriteSettings,
     };
     match (phase, order) {
         // A wire, and a recording, begin with homing where the reference is not known. Where a person brings
@@ -191,7 +196,7 @@ const fn refusal(phase: Phase, order: OrderName, reference: ReferenceBy) -> Opti
         }
         (
             Phase::Connected | Phase::Stopped | Phase::Ready,
-            Home | Jog | Arm | ResumeRun | Abandon | Replay | DryRun | WriteSettings | Disconnect,
+            Home | Jog | Arm | ResumeRun | Abandon | Replay | DryRun | WriteSettings | Console | Disconnect,
         )
         | (Phase::Armed, Start | Disarm | Home | Jog | Arm | ResumeRun | Abandon | Replay | DryRun | Disconnect)
         | (Phase::Making, Pause | Speed)
@@ -202,13 +207,13 @@ const fn refusal(phase: Phase, order: OrderName, reference: ReferenceBy) -> Opti
         (Phase::Connected | Phase::Stopped | Phase::Ready | Phase::Armed, Pause | Resume | Speed) => {
             Some(Because::NoWireUnderWay)
         }
-        (Phase::Armed, WriteSettings) => Some(Because::WireArmed),
+        (Phase::Armed, WriteSettings | Console) => Some(Because::WireArmed),
         (Phase::Making, _) => Some(Because::WireUnderWay),
         (Phase::Holding, _) => Some(Because::Holding),
         (Phase::Failed, _) => Some(Because::Failed),
         (Phase::Connecting | Phase::Interrupted, _) => Some(Because::Connecting),
         (Phase::Homing, _) => Some(Because::Homing),
-        (Phase::Moving, _) => Some(Because::Moving),
+        (Phase::Moving | Phase::Commanded, _) => Some(Because::Moving),
         (Phase::Stopping, _) => Some(Because::Stopping),
         (Phase::Closed, _) => Some(Because::NotConnected),
     }
@@ -228,6 +233,7 @@ mod tests {
             Capability::Resume,
             Capability::Speed,
             Capability::Settings,
+            Capability::Console,
         ];
         Orders::of(phase, &abilities.into_iter().collect(), reference).can
     }
@@ -241,6 +247,8 @@ mod tests {
             (OrderName::Pause, Act::Pause),
             (OrderName::Resume, Act::Resume),
             (OrderName::Speed, Act::Speed),
+            (OrderName::Console, Act::Ask),
+            (OrderName::Console, Act::Command),
         ];
         for phase in Phase::ALL {
             let offered = can(phase, ReferenceBy::Machine);

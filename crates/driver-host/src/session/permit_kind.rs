@@ -12,6 +12,8 @@ pub enum PermitKind {
     Continue,
     /// Writing settings, once.
     Settings,
+    /// One line of the console that may move or change something, once.
+    Console,
 }
 
 impl fmt::Display for PermitKind {
@@ -21,6 +23,7 @@ impl fmt::Display for PermitKind {
             Self::ByHand => "moves by hand",
             Self::Continue => "continuing a wire after a pause point",
             Self::Settings => "writing settings",
+            Self::Console => "a line of the console",
         })
     }
 }

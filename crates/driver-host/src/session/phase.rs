@@ -40,10 +40,14 @@ pub enum Phase {
     #[serde(rename = "connecting", skip_deserializing)]
     #[schemars(skip)]
     Interrupted,
+    /// It carries out a line of the console. For a front end it is being moved by hand.
+    #[serde(rename = "moving", skip_deserializing)]
+    #[schemars(skip)]
+    Commanded,
 }
 
 impl Phase {
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Connecting,
         Self::Connected,
         Self::Homing,
@@ -57,13 +61,16 @@ impl Phase {
         Self::Failed,
         Self::Closed,
         Self::Interrupted,
+        Self::Commanded,
     ];
 
     /// What leads on from here.
     #[must_use]
     pub const fn remedy(self) -> ErrorRemedy {
         match self {
-            Self::Connecting | Self::Homing | Self::Moving | Self::Stopping => ErrorRemedy::Wait,
+            Self::Connecting | Self::Homing | Self::Moving | Self::Commanded | Self::Stopping => {
+                ErrorRemedy::Wait
+            }
             Self::Connected | Self::Stopped => ErrorRemedy::Home,
             Self::Ready => ErrorRemedy::ArmOrJog,
             Self::Armed => ErrorRemedy::StartOrDisarm,
@@ -77,7 +84,8 @@ impl Phase {
     /// Whether something moves, may move at any moment, or is in the middle of a wire.
     #[must_use]
     pub const fn is_under_way(self) -> bool {
-        matches!(self, Self::Connecting | Self::Homing | Self::Moving | Self::Stopping) || self.is_in_a_wire()
+        matches!(self, Self::Connecting | Self::Homing | Self::Moving | Self::Commanded | Self::Stopping)
+            || self.is_in_a_wire()
     }
 
     /// Whether something moves, or may move without being asked again.
@@ -109,6 +117,7 @@ impl fmt::Display for Phase {
             Self::Failed => "out of order",
             Self::Closed => "not connected",
             Self::Interrupted => "in an interrupted wire",
+            Self::Commanded => "carrying out a line of the console",
         })
     }
 }
@@ -135,6 +144,10 @@ pub enum Act {
     /// Resume a wire that was begun before this connection.
     Reattach,
     WriteSettings,
+    /// Ask something on the console.
+    Ask,
+    /// Pass on a line of the console that may move or change something.
+    Command,
 }
 
 impl fmt::Display for Act {
@@ -149,6 +162,7 @@ impl fmt::Display for Act {
             Self::Speed => "changing the speed",
             Self::Reattach => "reattaching the wire",
             Self::WriteSettings => "writing settings",
+            Self::Ask | Self::Command => "a line of the console",
         })
     }
 }
@@ -163,11 +177,15 @@ pub(super) enum Transition {
 impl Phase {
     /// What an act leads to, before the machine has answered.
     pub(super) const fn on(self, act: Act) -> Transition {
-        use Phase::{Armed, Connected, Failed, Holding, Homing, Interrupted, Making, Moving, Ready, Stopped};
+        use Phase::{
+            Armed, Commanded, Connected, Failed, Holding, Homing, Interrupted, Making, Moving, Ready, Stopped,
+        };
         match (act, self) {
             (Act::Home, Connected | Ready | Moving | Armed | Stopped | Failed) => Transition::To(Homing),
             // With other settings the axes are not where they are taken to be.
-            (Act::WriteSettings, Connected | Ready | Moving | Armed) => Transition::To(Connected),
+            (Act::WriteSettings, Connected | Ready | Moving | Armed) | (Act::Ask, Connected) => {
+                Transition::To(Connected)
+            }
             // A token for the other purpose is refused as such.
             (Act::Arm, Ready | Moving | Armed) | (Act::Jog, Armed) => Transition::To(Armed),
             (Act::ArmByHand, Ready | Moving | Armed) | (Act::Jog | Act::Send, Moving) => {
@@ -178,9 +196,12 @@ impl Phase {
             | (Act::Pause | Act::Speed, Making)
             | (Act::Reattach, Interrupted) => Transition::To(Making),
             (Act::Send | Act::Resume | Act::Speed, Holding) => Transition::To(Holding),
-            (Act::WriteSettings, Stopped) => Transition::To(Stopped),
+            (Act::WriteSettings | Act::Ask, Stopped) => Transition::To(Stopped),
+            (Act::Ask, Ready) => Transition::To(Ready),
+            (Act::Command, Connected | Ready | Stopped) => Transition::To(Commanded),
             (Act::WriteSettings, Failed) => Transition::To(Failed),
             (Act::Home | Act::WriteSettings, _) => Transition::Refused { expected: "connected and at rest" },
+            (Act::Ask | Act::Command, _) => Transition::Refused { expected: "at rest, with no wire armed" },
             (Act::Arm | Act::ArmByHand, _) => Transition::Refused { expected: "homed, or done with a wire" },
             (Act::Send, _) => Transition::Refused { expected: "armed for a wire" },
             (Act::Jog, _) => Transition::Refused { expected: "armed, with no wire in hand" },
@@ -203,7 +224,10 @@ impl Phase {
             | (Event::Homed, Self::Connected | Self::Homing)
             // A machine that holds at its very end has finished the wire anyway.
             | (Event::Finished, Self::Making | Self::Holding) => Self::Ready,
-            (Event::Connected { homed: false, .. }, Self::Connecting) => Self::Connected,
+            (Event::Connected { homed: false, .. }, Self::Connecting)
+            // After what may have moved it, the axes are not where they are taken to be.
+            | (Event::ConsoleDone { .. }, Self::Commanded)
+            | (Event::ConsoleDone { homed: false, .. }, Self::Ready) => Self::Connected,
             (Event::Paused { .. }, Self::Making) => Self::Holding,
             (Event::Resumed, Self::Holding) => Self::Making,
             (Event::Stopped { .. }, Self::Connecting | Self::Failed) => self,

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 
 mod awake;
+mod console;
 mod isolation;
 mod jobs;
 mod killed;

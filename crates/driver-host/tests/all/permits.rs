@@ -34,6 +34,11 @@ pub fn write_settings(session: &mut Session) -> Result<(), SessionError> {
     session.write_settings(permit)
 }
 
+pub fn command(session: &mut Session, line: &str) -> Result<(), SessionError> {
+    let permit = asked(session, PermitKind::Console)?;
+    session.command(line, permit)
+}
+
 pub fn start(run: &mut JobRun) -> Result<(), JobError> {
     let permit = yes(run.session(), PermitKind::Wire);
     run.start(permit)

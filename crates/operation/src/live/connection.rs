@@ -51,6 +51,15 @@ impl<'a> Connection<'a> {
         look_until_held(&mut self.session, &mut self.observer, during)
     }
 
+    /// The same while the answer to a typed line is awaited, from a machine that may have been stopped before.
+    pub fn look_for_answer(&mut self, stopped_before: bool) -> Result<Vec<Event>, LiveProblem> {
+        let during = "a typed line was carried out";
+        if stopped_before && self.session.phase() == Phase::Stopped {
+            return heard(&mut self.session, &mut self.observer, during);
+        }
+        self.look_until_held(during)
+    }
+
     /// The same for a machine of which nothing was ordered. That it was stopped before is known.
     pub fn look_at_rest(&mut self) -> Result<(), LiveProblem> {
         let stopped = matches!(self.session.phase(), Phase::Stopping | Phase::Stopped);

@@ -7,6 +7,7 @@
 //! `run`, with the same journals: what one has begun the other can resume.
 
 mod armed;
+mod console;
 mod event;
 mod front_end;
 mod hand;

@@ -52,4 +52,6 @@ pub enum QuestionKind {
     Head,
     /// Whether settings may be written to the machine, for good.
     Settings,
+    /// Whether a typed line may be sent that may move or change something.
+    Console,
 }

@@ -195,6 +195,7 @@ impl<'a> OperatorThread<'a> {
             }
             &Order::Abandon { wire, .. } => self.abandon(of_job()?, wire),
             Order::WriteSettings => self.write_settings(),
+            Order::Console { line } => self.console(line),
             // These do not come to this thread as orders.
             Order::Pause | Order::Resume | Order::Speed { .. } | Order::Disconnect => Ok(()),
         }

@@ -14,6 +14,8 @@ mod bender;
 mod board;
 #[cfg(target_os = "linux")]
 mod boards;
+#[cfg(target_os = "linux")]
+mod console;
 mod faults;
 #[cfg(target_os = "linux")]
 #[path = "../../../../drivers/grbl/tests/all/pty/model/mod.rs"]

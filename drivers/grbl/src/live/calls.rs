@@ -169,7 +169,7 @@ impl Protocol {
     }
 
     /// Whether a new call may begin. A wire that was armed and not begun is dropped.
-    fn ready(&mut self) -> Result<(), DriverError> {
+    pub(super) fn ready(&mut self) -> Result<(), DriverError> {
         let busy = match &self.phase {
             Phase::Ready => return Ok(()),
             Phase::Running(run) if run.is_armed_only() => {
@@ -187,6 +187,7 @@ impl Protocol {
             Phase::Greeting(_) | Phase::Reading(_) => "the machine has not answered yet",
             Phase::Homing { .. } => "the machine is homing",
             Phase::Jogging { .. } => "an axis moves",
+            Phase::Console(_) => "a typed line is not answered yet",
             Phase::Running(_) => "a job is running",
             Phase::Halting { .. } | Phase::Resetting(_) => "the machine is being stopped",
         };

@@ -108,6 +108,7 @@ impl Protocol {
         let error = DriverError::new(&format!("grbl-error-{code}"), what, help);
         match self.phase {
             Phase::Reading(_) => self.question_refused(error),
+            Phase::Console(_) => self.console_refused(code, line),
             // Nothing moves, and the lines behind it make no sense without it.
             Phase::Homing { .. } | Phase::Jogging { stopping: None, .. } => {
                 self.fault(error);
@@ -125,7 +126,7 @@ impl Protocol {
             Phase::Ready => self.fault(error),
             // The first reason is the one that counts.
             Phase::Halting { .. } | Phase::Resetting(_) | Phase::NotResponding | Phase::Closed => {}
-            Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Running(_) => {
+            Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Console(_) | Phase::Running(_) => {
                 self.fault(error);
                 self.interrupt(StoppedBy::FeedHold);
                 self.stream.clear();
@@ -165,7 +166,11 @@ impl Protocol {
         }
         self.machine.state = Some(State::Alarm);
         match self.phase {
-            Phase::Ready | Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Running(_) => {}
+            Phase::Ready
+            | Phase::Homing { .. }
+            | Phase::Jogging { .. }
+            | Phase::Console(_)
+            | Phase::Running(_) => {}
             Phase::Halting { .. } => return self.reset(false),
             _ => return,
         }
@@ -256,7 +261,11 @@ impl Protocol {
                 self.machine.was_reset(true);
                 return self.poller.restart();
             }
-            Phase::Ready | Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Running(_) => {
+            Phase::Ready
+            | Phase::Homing { .. }
+            | Phase::Jogging { .. }
+            | Phase::Console(_)
+            | Phase::Running(_) => {
                 self.machine.was_reset(false);
                 self.machine.homed = false;
                 self.fault(DriverError::new(

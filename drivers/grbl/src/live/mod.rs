@@ -4,6 +4,7 @@ mod calls;
 #[cfg(test)]
 mod changed;
 mod connecting;
+mod console;
 mod displacement;
 mod ending;
 mod incoming;
@@ -28,7 +29,9 @@ use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use wirebend_driver_api::serial::{self, Line};
-use wirebend_driver_api::{ArmedReply, Batch, DriverError, Event, MachineSession, Motion, Run, Sent};
+use wirebend_driver_api::{
+    ArmedReply, Batch, ConsoleLine, DriverError, Event, MachineSession, Motion, Run, Sent,
+};
 
 use crate::settings::Settings;
 use protocol::Protocol;
@@ -123,6 +126,10 @@ impl MachineSession for Session {
 
     fn set_speed(&mut self, percent: u8) -> Result<(), DriverError> {
         self.call(|protocol, now| protocol.set_speed(percent, now))
+    }
+
+    fn console(&mut self, line: &ConsoleLine, may_change: bool) -> Result<(), DriverError> {
+        self.call(|protocol, now| protocol.console(line, may_change, now))
     }
 
     fn resume(&mut self) -> Result<(), DriverError> {

@@ -21,6 +21,8 @@ pub(super) enum Phase {
         stopping: Option<Duration>,
         row: JogRow,
     },
+    /// A line that a person has typed is awaited.
+    Console(Typed),
     /// Armed for a wire, or running it.
     Running(Box<WireRun>),
     /// Decelerating after a fault, so that the reset that follows loses no steps.
@@ -86,4 +88,24 @@ pub(super) struct Reset {
     pub since: Duration,
     pub tries: u32,
     pub greeted: bool,
+}
+
+/// What is awaited of a line that was sent.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Typed {
+    /// The report that `?` is answered with.
+    Report,
+    /// The answer to a question.
+    Answer,
+    /// The answer to a command, then rest.
+    Rest { moves: bool, held: bool },
+    /// The settings, which are read again after a command.
+    Settings { moves: bool },
+}
+
+impl Typed {
+    /// Whether something may move.
+    pub const fn may_move(self) -> bool {
+        matches!(self, Self::Rest { .. })
+    }
 }

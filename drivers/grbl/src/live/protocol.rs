@@ -106,6 +106,7 @@ impl Protocol {
                 true
             }
             Phase::Running(run) => !run.is_armed_only(),
+            Phase::Console(typed) => typed.may_move(),
             _ => false,
         }
     }
@@ -116,8 +117,10 @@ impl Protocol {
         if reply == Reply::Unknown {
             return self.noise(text);
         }
-        if !old {
-            self.console(Direction::FromMachine, text);
+        if old {
+            self.shows_report(text);
+        } else {
+            self.show(Direction::FromMachine, text);
         }
         match reply {
             Reply::Greeting(name) => self.greeted(&name),
@@ -152,6 +155,7 @@ impl Protocol {
         match error {
             Some(code) => self.refused(code, &line),
             None if matches!(self.phase, Phase::Reading(_)) => self.read_on(),
+            None if matches!(self.phase, Phase::Console(_)) => self.console_answered(),
             // The jog begins with this answer.
             None => self.cancel_jog(),
         }
@@ -180,6 +184,7 @@ impl Protocol {
                 self.watch_answer(state);
             }
             Phase::Jogging { stopping: Some(_), .. } if state == State::Jog => self.cancel_jog(),
+            &Phase::Console(typed) => self.console_reported(typed, state, counts),
             Phase::Running(_) => self.wire_reported(state, before, rests),
             Phase::Halting { .. } if counts => self.halted(state),
             Phase::Resetting(reset) if reset.greeted => self.settled(state),
@@ -198,7 +203,7 @@ impl Protocol {
 
     /// A line that is none of grbl's.
     fn noise(&mut self, text: &str) {
-        self.console(Direction::FromMachine, text);
+        self.show(Direction::FromMachine, text);
         // A boot loader may print anything, at any baud rate.
         if matches!(self.phase, Phase::Greeting(_)) {
             return;
@@ -220,7 +225,7 @@ impl Protocol {
         }
         while let Some(line) = self.stream.next(self.now) {
             self.poller.outdated();
-            self.console(Direction::ToMachine, &line);
+            self.show(Direction::ToMachine, &line);
             self.output.extend_from_slice(line.as_bytes());
             self.output.push(b'\n');
         }
@@ -232,6 +237,7 @@ impl Protocol {
             Phase::Ready => false,
             Phase::Jogging { .. }
             | Phase::Running(_)
+            | Phase::Console(_)
             | Phase::Halting { .. }
             | Phase::Reading(Reading::State { .. })
             | Phase::Resetting(Reset { greeted: true, .. }) => true,
@@ -250,14 +256,14 @@ impl Protocol {
         self.events.push_back(event);
     }
 
-    fn console(&mut self, direction: Direction, text: &str) {
+    pub(super) fn show(&mut self, direction: Direction, text: &str) {
         self.event(Event::Console { direction, text: text.to_owned() });
     }
 
     /// Sends a real-time command, which grbl executes at once.
     pub(super) fn send_realtime(&mut self, byte: u8) {
         self.poller.outdated();
-        self.console(Direction::ToMachine, &byte.escape_ascii().to_string());
+        self.show(Direction::ToMachine, &byte.escape_ascii().to_string());
         self.output.push(byte);
     }
 

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use proptest::prelude::*;
 use wirebend_driver_api::serial::Line;
 use wirebend_driver_api::transcript::{self, Answered, Conversation};
-use wirebend_driver_api::{Call, DriverError, Event, MachineSession};
+use wirebend_driver_api::{Call, ConsoleLine, DriverError, Event, MachineSession};
 
 use super::Session;
 use super::protocol::Protocol;
@@ -36,6 +36,9 @@ impl Conversation for Protocol {
             Call::Jog(motion) => self.jog(*motion, now)?,
             Call::Pause => self.pause(now)?,
             Call::Speed { percent } => self.set_speed(*percent, now)?,
+            Call::Console { line, may_change } => {
+                self.console(&ConsoleLine::new(line)?, *may_change, now)?;
+            }
             Call::Resume => self.resume(now)?,
             Call::Stop => self.stop(now)?,
             Call::Encode(_)

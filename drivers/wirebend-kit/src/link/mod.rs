@@ -261,7 +261,9 @@ impl Link {
                 self.events.push(MachineEvent::Setting { id, value });
                 self.events.extend(self.requests.value(id, value).map(MachineEvent::Answered));
             }
-            ReplyFrame::Open { .. } => {}
+            ReplyFrame::Open { id, .. } => {
+                self.events.extend(self.requests.opened(id).map(MachineEvent::Answered));
+            }
         }
     }
 
@@ -325,7 +327,9 @@ impl Link {
             return;
         }
         if let Some(payload) = self.requests.due(now) {
-            self.out.extend(sealed(&payload, self.session));
+            // That belongs to no session.
+            let seal = if payload.starts_with('S') { NO_SESSION } else { self.session };
+            self.out.extend(sealed(&payload, seal));
         }
         for payload in self.queue.due(now) {
             self.out.extend(sealed(&payload, self.session));

@@ -23,6 +23,12 @@ pub enum Request {
     Write(u8, i32),
     /// The settings that were compiled in.
     LoadDefaults,
+    /// How it stands, for a person.
+    Status,
+    /// What it is: the session that is open is opened once more, which changes nothing.
+    Version(u16),
+    /// The motors are turned off.
+    Release,
 }
 
 impl Request {
@@ -45,6 +51,9 @@ impl Request {
             Self::Read(id) => format!("C{id}"),
             Self::Write(id, value) => format!("W{id},{value}"),
             Self::LoadDefaults => "L".to_owned(),
+            Self::Status => "Q".to_owned(),
+            Self::Version(session) => format!("S{session}"),
+            Self::Release => "R".to_owned(),
         }
     }
 }
@@ -91,7 +100,13 @@ impl Requests {
             Request::Pause => status.state == State::Hold,
             Request::Resume => matches!(status.state, State::Idle | State::Run),
             Request::Head(steps) => status.position[1] == steps,
-            Request::Speed(_) | Request::Read(_) | Request::Write(..) | Request::LoadDefaults => false,
+            Request::Status => true,
+            Request::Release => !status.homed,
+            Request::Speed(_)
+            | Request::Read(_)
+            | Request::Write(..)
+            | Request::LoadDefaults
+            | Request::Version(_) => false,
         })
     }
 
@@ -109,6 +124,11 @@ impl Requests {
     /// The request that this speed answers.
     pub fn speed(&mut self, percent: u8) -> Option<Request> {
         self.answered(|ask| ask == Request::Speed(percent) || ask == Request::Speed(0))
+    }
+
+    /// The request that an opened session answers.
+    pub fn opened(&mut self, id: u16) -> Option<Request> {
+        self.answered(|ask| ask == Request::Version(id))
     }
 
     /// The request with this letter that waits for its answer; it is not repeated any more.

@@ -140,7 +140,7 @@ impl Machine {
     pub fn stop(&mut self, now: Duration) {
         self.link.stop(now);
         self.halt = Halt::Requested;
-        if self.activity == Activity::StoringSettings {
+        if matches!(self.activity, Activity::StoringSettings | Activity::Typing(_)) {
             self.activity = Activity::Idle;
         }
     }
@@ -228,7 +228,7 @@ impl Machine {
         Ok(Some(steps(deg * per_deg)))
     }
 
-    fn require_rest(&self, what: &str) -> Result<(), DriverError> {
+    pub(super) fn require_rest(&self, what: &str) -> Result<(), DriverError> {
         match self.activity {
             Activity::Idle => Ok(()),
             Activity::Connecting => Err(fault::busy(what, "it is connecting")),
@@ -237,6 +237,7 @@ impl Machine {
             Activity::Arming | Activity::Running => Err(fault::busy(what, "it is running a job")),
             Activity::Jogging(_) => Err(fault::busy(what, "it is jogging")),
             Activity::StoringSettings => Err(fault::busy(what, "it is storing settings")),
+            Activity::Typing(_) => Err(fault::busy(what, "a typed line is not answered yet")),
         }
     }
 

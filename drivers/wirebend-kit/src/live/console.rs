@@ -14,6 +14,8 @@ const MAX_LINE: usize = 128;
 #[derive(Debug, Default)]
 pub(super) struct Console {
     heard: Vec<u8>,
+    /// A person has asked for the status: the question and the answer are shown once.
+    shows_status: [bool; 2],
 }
 
 impl Console {
@@ -26,15 +28,22 @@ impl Console {
                 continue;
             }
             let line = std::mem::take(&mut self.heard);
-            tell(Direction::FromMachine, &line, Reply::Status as u8, events);
+            let shown = &mut self.shows_status[1];
+            tell(Direction::FromMachine, &line, Reply::Status as u8, shown, events);
         }
     }
 
+    /// The next question for the status and its answer are a person's.
+    pub const fn show_status(&mut self, shown: bool) {
+        self.shows_status = [shown; 2];
+    }
+
     /// What is sent: whole frames, and STOP between them.
-    pub fn say(bytes: &[u8], events: &mut VecDeque<Event>) {
+    pub fn say(&mut self, bytes: &[u8], events: &mut VecDeque<Event>) {
         let frames: Vec<u8> = bytes.iter().copied().filter(|&byte| byte != STOP).collect();
         for line in frames.split(|&byte| byte == b'\n') {
-            tell(Direction::ToMachine, line, Command::Query as u8, events);
+            let shown = &mut self.shows_status[0];
+            tell(Direction::ToMachine, line, Command::Query as u8, shown, events);
         }
         // Repeated until it is answered.
         if bytes.contains(&STOP) {
@@ -43,13 +52,13 @@ impl Console {
     }
 }
 
-fn tell(direction: Direction, line: &[u8], left_out: u8, events: &mut VecDeque<Event>) {
+fn tell(direction: Direction, line: &[u8], left_out: u8, shown: &mut bool, events: &mut VecDeque<Event>) {
     let line = line.trim_ascii();
     let payload = match line.iter().rposition(|&byte| byte == b'*') {
         Some(seal) if line.len() - seal == 5 => &line[..seal],
         _ => line,
     };
-    if payload.first().is_some_and(|&letter| letter != left_out) {
+    if payload.first().is_some_and(|&letter| letter != left_out || std::mem::take(shown)) {
         events.push_back(Event::Console { direction, text: payload.escape_ascii().to_string() });
     }
 }
@@ -82,7 +91,7 @@ mod tests {
         assert!(heard[1].1.starts_with("Grbl 1.1h"), "{heard:?}");
 
         let sent = [&sealed("S7", NO_SESSION)[..], &sealed("Q", 7), &[STOP], &sealed("M1,8,0,-3", 7)];
-        Console::say(&sent.concat(), &mut events);
+        Console::default().say(&sent.concat(), &mut events);
         let said: Vec<String> = told(events).into_iter().map(|(_, text)| text).collect();
         assert_eq!(said, ["S7", "M1,8,0,-3", "STOP"]);
     }

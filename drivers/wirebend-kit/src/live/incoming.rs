@@ -235,6 +235,8 @@ impl Machine {
 
     fn refused(&mut self, command: u8, error: Refusal, now: Duration) {
         match (command, self.activity) {
+            // That is its answer.
+            (_, Activity::Typing(_)) => self.report(Event::Warning(fault::refused(command, error, false))),
             // Reported with the settings.
             (b'C', _) if error == Refusal::Settings => {}
             // It holds on.
@@ -277,18 +279,24 @@ impl Machine {
             }
             Activity::StoringSettings if read => {
                 self.activity = Activity::Idle;
-                for (id, (value, error)) in std::mem::take(&mut self.unwritten) {
-                    self.report(Event::Warning(fault::not_stored(id, value, error)));
-                }
-                let settings = self.checks();
-                self.report(Event::SettingsWritten { settings, limits: self.limits() });
+                self.report_stored();
             }
+            Activity::Typing(typed) if read => self.answered(typed),
             Activity::Arming if read && self.wire.as_ref().is_some_and(|wire| wire.placed) => {
                 self.head = HeadReference::Unknown;
                 self.activity = Activity::Running;
             }
             _ => {}
         }
+    }
+
+    /// The settings were read again after some were written.
+    pub(super) fn report_stored(&mut self) {
+        for (id, (value, error)) in std::mem::take(&mut self.unwritten) {
+            self.report(Event::Warning(fault::not_stored(id, value, error)));
+        }
+        let settings = self.checks();
+        self.report(Event::SettingsWritten { settings, limits: self.limits() });
     }
 
     fn connected(&mut self, status: Status) {

@@ -33,8 +33,20 @@ pub(super) enum Activity {
     /// Until this line is done.
     Jogging(u32),
     StoringSettings,
+    /// Until the line that a person has typed is answered.
+    Typing(Typed),
     /// The connection is over.
     Closed,
+}
+
+/// What becomes of a line that a person has typed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Typed {
+    Question,
+    /// Settings are stored by it, and read again.
+    Stores,
+    /// The motors are off: axes can be turned by hand.
+    Releases,
 }
 
 /// The parts of homing.
@@ -169,7 +181,7 @@ impl Machine {
 
     pub fn take_bytes(&mut self) -> Vec<u8> {
         let bytes = self.link.take_bytes();
-        Console::say(&bytes, &mut self.events);
+        self.console.say(&bytes, &mut self.events);
         bytes
     }
 

@@ -9,12 +9,15 @@ mod machine;
 mod ports;
 mod simulated;
 mod transport;
+mod typed;
 mod wire_progress;
 
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
-use wirebend_driver_api::{ArmedReply, Batch, DriverError, Event, MachineSession, Motion, Run, Sent, serial};
+use wirebend_driver_api::{
+    ArmedReply, Batch, ConsoleLine, DriverError, Event, MachineSession, Motion, Run, Sent, serial,
+};
 
 use crate::settings::Settings;
 use machine::Machine;
@@ -162,6 +165,10 @@ impl MachineSession for Session {
 
     fn set_speed(&mut self, percent: u8) -> Result<(), DriverError> {
         self.call(|machine, _| machine.set_speed(percent))
+    }
+
+    fn console(&mut self, line: &ConsoleLine, may_change: bool) -> Result<(), DriverError> {
+        self.call(|machine, _| machine.typed(line, may_change))
     }
 
     fn write_settings(&mut self) -> Result<(), DriverError> {

@@ -11,6 +11,7 @@ mod board;
 #[cfg(target_os = "linux")]
 mod board_limits;
 mod by_hand;
+mod console;
 #[cfg(target_os = "linux")]
 mod heads;
 mod interrupted;

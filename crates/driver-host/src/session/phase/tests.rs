@@ -5,7 +5,7 @@ use wirebend_driver_api::{DoneBy, DriverError, HeadBy, Limits, PausedBy, Referen
 
 use super::*;
 
-const ACTS: [Act; 10] = [
+const ACTS: [Act; 12] = [
     Act::Home,
     Act::Arm,
     Act::ArmByHand,
@@ -16,6 +16,8 @@ const ACTS: [Act; 10] = [
     Act::Resume,
     Act::Reattach,
     Act::WriteSettings,
+    Act::Ask,
+    Act::Command,
 ];
 
 fn events() -> Vec<Event> {
@@ -44,6 +46,8 @@ fn events() -> Vec<Event> {
         Event::Speed { percent: 50 },
         Event::Stopped { homed: true },
         Event::SettingsWritten { settings: Vec::new(), limits: Limits::default() },
+        Event::ConsoleDone { homed: true, moved: true },
+        Event::ConsoleDone { homed: false, moved: false },
         Event::Warning(error.clone()),
         Event::Fault { error, in_doubt: None, disconnected: true },
     ]
@@ -53,7 +57,7 @@ proptest! {
     /// However a driver reports and whatever is asked: from anywhere to running there is no way without a
     /// person's yes, which is arming or reattaching; and to armed none that does not pass through a reference.
     #[test]
-    fn nothing_runs_that_nobody_confirmed(turns in prop::collection::vec((any::<bool>(), 0_usize..15), 0..60)) {
+    fn nothing_runs_that_nobody_confirmed(turns in prop::collection::vec((any::<bool>(), 0_usize..17), 0..60)) {
         let (mut state, mut confirmed, mut referenced) = (Phase::Connecting, false, false);
         for (is_act, k) in turns {
             let before = state;
@@ -69,9 +73,9 @@ proptest! {
                             prop_assert_eq!(before, Phase::Interrupted);
                             confirmed = true;
                         }
-                        Act::Home | Act::WriteSettings => (referenced, confirmed) = (false, false),
+                        Act::Home | Act::WriteSettings | Act::Command => (referenced, confirmed) = (false, false),
                         Act::Send | Act::Jog | Act::Resume => prop_assert!(confirmed, "{act} from {before}"),
-                        Act::Pause | Act::Speed => {}
+                        Act::Pause | Act::Speed | Act::Ask => {}
                     }
                     state = next;
                 }
@@ -96,7 +100,7 @@ proptest! {
 
     /// No report makes a machine that was interrupted run: only what was taken before is run by itself.
     #[test]
-    fn an_interrupted_wire_goes_on_at_a_persons_word_alone(reports in prop::collection::vec(0_usize..15, 0..30)) {
+    fn an_interrupted_wire_goes_on_at_a_persons_word_alone(reports in prop::collection::vec(0_usize..17, 0..30)) {
         let mut state = Phase::Interrupted;
         for k in reports {
             state = state.after(&events()[k]);
@@ -123,7 +127,9 @@ fn a_stop_or_a_fault_is_left_by_homing_alone() {
     for state in [Phase::Stopped, Phase::Failed] {
         for act in ACTS {
             let leaves = matches!(state.on(act), Transition::To(next) if next != state);
-            assert_eq!(leaves, act == Act::Home, "{act} while {state}");
+            // A typed line may unlock it; it has to be homed all the same.
+            let typed = act == Act::Command && state == Phase::Stopped;
+            assert_eq!(leaves, act == Act::Home || typed, "{act} while {state}");
         }
         for event in events() {
             let next = state.after(&event);
@@ -160,6 +166,7 @@ fn settings_are_written_at_rest_alone_and_cost_the_reference() {
             Phase::Making,
             Phase::Holding,
             Phase::Interrupted,
+            Phase::Commanded,
             Phase::Stopping,
             Phase::Closed,
         ]

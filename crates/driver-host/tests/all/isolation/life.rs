@@ -22,6 +22,7 @@ pub enum Stage {
     Connect,
     Poll,
     WriteSettings,
+    Console,
     Home,
     Jog,
     Arm,
@@ -34,10 +35,21 @@ pub enum Stage {
 }
 
 /// The calls that a connected driver is asked, by the word for which the driver listens.
-pub const CALLS: [&str; 10] =
-    ["poll", "write-settings", "home", "jog", "arm", "send", "pause", "resume", "stop", "disconnect"];
+pub const CALLS: [&str; 11] = [
+    "poll",
+    "write-settings",
+    "console",
+    "home",
+    "jog",
+    "arm",
+    "send",
+    "pause",
+    "resume",
+    "stop",
+    "disconnect",
+];
 
-const ORDER: [Stage; 17] = [
+const ORDER: [Stage; 18] = [
     Stage::Start,
     Stage::Open,
     Stage::Encode,
@@ -46,6 +58,7 @@ const ORDER: [Stage; 17] = [
     Stage::Connect,
     Stage::Poll,
     Stage::WriteSettings,
+    Stage::Console,
     Stage::Home,
     Stage::Jog,
     Stage::Arm,
@@ -186,6 +199,10 @@ impl<'a> Life<'a> {
             Stage::Poll => return self.polled(Phase::Connected),
             Stage::WriteSettings => {
                 permits::write_settings(self.session())?;
+                return self.polled(Phase::Connected);
+            }
+            Stage::Console => {
+                assert!(self.session().question("?")?);
                 return self.polled(Phase::Connected);
             }
             Stage::Home => {

@@ -17,6 +17,7 @@ const WORDS: Readonly<Record<Exclude<Question["kind"], "doubt">, readonly [strin
   pause: ["Pause point", "Stop the wire", "Resume"],
   said: ["Confirm your earlier answer", "It is different", "It is right"],
   settings: ["The machine's settings are about to be written", "Do not write", "Write"],
+  console: ["The line may move or change the machine", "Do not send", "Send"],
   head: ["Look at the head", "I do not know", "It stands there"],
 };
 

@@ -49,6 +49,9 @@ impl<P: Read + Write> Controller<P> {
         let homing = u8::from(self.build.switches);
         match line {
             "$I" => self.say("[VER:1.1h.20190830:model]\r\n[OPT:V,15,128]\r\nok"),
+            // It takes too long to write while something moves (`system.c`).
+            "$$" | "$#" if !matches!(self.state, State::Idle | State::Alarm) => self.say("error:8"),
+            "$#" => self.say("[G54:0.000,0.000,0.000]\r\n[PRB:0.000,0.000,0.000:0]\r\nok"),
             "$$" => {
                 let Build { bend_travel, bend_rate, steps_a_turn, .. } = self.build;
                 let (soft, travel) = (u8::from(bend_travel.is_some()), bend_travel.unwrap_or(200.0));
