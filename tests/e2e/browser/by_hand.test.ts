@@ -131,3 +131,39 @@ it("says in the console when each line went over the wire", async () => {
   expect(times.toSorted()).toEqual(times);
   await editor.isClean("by-hand-console");
 });
+
+it("takes lines for the machine, whose answers stand below them, and none while a wire is armed", async () => {
+  const field = run().getByLabel("Line to the machine");
+  const log = run().getByRole("log", { name: "Lines to and from the machine" });
+  const typed = async (line: string, answer: RegExp) => {
+    await field.fill(line);
+    await field.press("Enter");
+    await log.getByText(answer).last().waitFor();
+    await rests("ready");
+  };
+  await typed("C4", /v4,/);
+  await typed("status", /t0,/);
+  // The field is still there to be typed in, and has what was typed before.
+  expect(await field.inputValue()).toBe("");
+  await field.press("ArrowUp");
+  await field.press("ArrowUp");
+  expect(await field.inputValue()).toBe("C4");
+  await field.fill("M1,100,0,0");
+  await field.press("Enter");
+  await run().getByText(/numbers the lines that move the machine/).first().waitFor();
+  await rests("ready");
+  await editor.isCleanNow("by-hand-typed");
+  // What is stored needs homing afterwards.
+  await field.fill("W4,5999");
+  await field.press("Enter");
+  await rests("connected");
+  await button("Home").click();
+  await rests("ready");
+  await button("Arm…").click();
+  await editor.page.getByRole("dialog").getByRole("button", { name: "Arm", exact: true }).click();
+  await run().locator(".run-phase.armed").waitFor();
+  await until(() => field.getAttribute("placeholder")).toMatch(/armed/);
+  expect(await field.isEditable()).toBe(false);
+  await button("Disarm").click();
+  await rests("ready");
+});

@@ -6,6 +6,7 @@ import { told } from "../../state/asking/problems";
 import { asText, clockOf, filtered } from "../../state/machine/console";
 import { clearConsole, useRun } from "../../state/machine/run";
 import { Fold } from "../machine/Fold";
+import { ConsoleInput } from "./ConsoleInput";
 
 /** px from the end at which new lines still scroll along. */
 const NEAR_END = 24;
@@ -85,6 +86,7 @@ function Lines() {
           <div className="muted">{lines.length === 0 ? "No messages yet." : "No line fits the filter."}</div>
         )}
       </div>
+      <ConsoleInput />
     </div>
   );
 }

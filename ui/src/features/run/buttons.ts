@@ -33,6 +33,7 @@ export interface RunButtons {
   readonly replay: Why;
   readonly dryRun: Why;
   readonly writeSettings: Why;
+  readonly console: Why;
   readonly disconnect: Why;
   /** The button that leads on from here. */
   readonly next: "connect" | "home" | "arm" | "start" | "pause" | "resume" | null;
@@ -61,6 +62,7 @@ const BECAUSE: Readonly<Record<Because, string>> = {
 const UNABLE: Readonly<Partial<Record<OrderName, string>>> = {
   pause: "This machine cannot pause.",
   "dry-run": "This machine's driver has no dry run.",
+  console: "This machine's driver takes no typed lines.",
   "write-settings": "This machine's settings cannot be written from here.",
 };
 
@@ -99,6 +101,7 @@ export function buttons(state: MachineState | null, prospect: Prospect): RunButt
     replay: why("replay"),
     dryRun: why("dry-run") ?? noWire,
     writeSettings: why("write-settings"),
+    console: why("console"),
     disconnect: why("disconnect"),
     next: next(state?.phase ?? "closed", (order) => why(order) === null, noWire === null),
   };

@@ -42,6 +42,25 @@ export function clockOf(at: number): string {
   return `${two(when.getHours())}:${two(when.getMinutes())}:${two(when.getSeconds())}.${ms}`;
 }
 
+/** Most lines are recalled within a few. */
+const MAX_TYPED = 100;
+
+/** What was typed, the last at the end; a line that is typed again is not kept twice in a row. */
+export function withTyped(typed: readonly string[], line: string): readonly string[] {
+  return typed.at(-1) === line ? typed : [...typed, line].slice(-MAX_TYPED);
+}
+
+/** Which line is recalled; past the last it is the draft that was being typed. */
+export interface Recalled {
+  readonly at: number;
+  readonly draft: string;
+}
+
+/** The line before (-1) or after (1). */
+export function recall(typed: readonly string[], { at, draft }: Recalled, way: -1 | 1): Recalled {
+  return { at: Math.min(Math.max(at + way, 0), typed.length), draft };
+}
+
 const signOf = (toMachine: boolean | null): string => (toMachine === null ? "-" : toMachine ? ">" : "<");
 
 /** The lines as text to be copied: when, and `>` to the machine, `<` from it, `-` neither. */

@@ -9,7 +9,7 @@ import { ofDesign, useDesign } from "../design/design";
 import { endLive, showDoubt, showLive } from "../program/program";
 import { useRunFile } from "../program/run_file";
 import { useUi } from "../window/ui";
-import { type ConsoleLine, withLines } from "./console";
+import { type ConsoleLine, withLines, withTyped } from "./console";
 import {
   type Answer,
   isInWire,
@@ -26,6 +26,8 @@ interface RunStore {
   readonly state: MachineState | null;
   readonly question: Question | null;
   readonly console: readonly ConsoleLine[];
+  /** Lines that were typed for a machine, the last at the end. */
+  readonly typed: readonly string[];
   /** Moves by hand that are kept. */
   readonly recorded: readonly Move[];
   /** What became of the wire that was bent last. */
@@ -45,6 +47,7 @@ export const useRun = create<RunStore>()(() => ({
   state: null,
   question: null,
   console: [],
+  typed: [],
   recorded: [],
   ended: null,
   runs: null,
@@ -260,6 +263,12 @@ export function order(what: Order): Promise<boolean> {
   if (what.order === "start" || what.order === "resume-run") useRun.setState({ ended: null });
   const asked = asking("order", { request: what });
   return ordered(useRunFile.getState().file ? asked : ofDesign(asked));
+}
+
+/** Sends a line that was typed; whether it was taken. */
+export async function sendLine(line: string): Promise<boolean> {
+  useRun.setState(({ typed }) => ({ typed: withTyped(typed, line) }));
+  return order({ order: "console", line });
 }
 
 export function answer(question: number, what: Answer): Promise<boolean> {
