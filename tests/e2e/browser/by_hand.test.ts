@@ -150,7 +150,10 @@ it("takes lines for the machine, whose answers stand below them, and none while 
   expect(await field.inputValue()).toBe("C4");
   await field.fill("M1,100,0,0");
   await field.press("Enter");
-  await run().getByText(/numbers the lines that move the machine/).first().waitFor();
+  await run()
+    .getByText(/numbers the lines that move the machine/)
+    .first()
+    .waitFor();
   await rests("ready");
   await editor.isCleanNow("by-hand-typed");
   // What is stored needs homing afterwards.
@@ -166,4 +169,35 @@ it("takes lines for the machine, whose answers stand below them, and none while 
   expect(await field.isEditable()).toBe(false);
   await button("Disarm").click();
   await rests("ready");
+});
+
+it("makes a design of what was just recorded: the shape that the moves leave", async () => {
+  await button("Clear").first().click();
+  await until(async () => (await state()).recorded).toBe(0);
+  // Longer than the machine's shortest edge: nearer to the end of the wire its peg touches none.
+  await run().getByLabel("Feed by, mm").fill("60");
+  await run().getByLabel("Feed by, mm").press("Tab");
+  for (const [name, recorded] of [
+    ["Feed 60.0 mm", 1],
+    ["Bend 45.0°", 2],
+    ["Feed 60.0 mm", 3],
+  ] as const) {
+    await button(name).click();
+    await until(async () => (await state()).recorded).toBe(recorded);
+    await rests("ready");
+  }
+  await button("Make it a design…").click();
+  const dialog = editor.page.getByRole("dialog");
+  // As the button says; the other way is there too.
+  await until(() => dialog.getByRole("radio", { name: /^Make it a design/ }).isChecked()).toBe(true);
+  await editor.isCleanNow("by-hand-design");
+  await dialog.getByRole("button", { name: "Open", exact: true }).click();
+  await until(async () => (await editor.design()).edges.length).toBe(2);
+  const [first = [], corner = [], last = []] = (await editor.design()).vertices.map(({ at_mm }) => at_mm);
+  const apart = (a: readonly number[], b: readonly number[]) => Math.hypot(...a.map((value, k) => value - (b[k] ?? 0)));
+  // As much as was fed, but for the corner, which is farther out than the arc; and bent, by less than 45°, since the wire springs back.
+  for (const side of [apart(first, corner), apart(corner, last)]) expect(Math.abs(side - 60)).toBeLessThan(1);
+  const across = apart(first, last);
+  expect(across).toBeLessThan(119);
+  expect(across).toBeGreaterThan(120 * Math.cos(Math.PI / 8));
 });

@@ -3,11 +3,9 @@ import { Button } from "../../shared/controls/Button";
 import { count } from "../../shared/figures/format";
 import { useLengths } from "../../shared/figures/unit";
 import { Dialog } from "../../shared/layers/Dialog";
-import { baseName, type Opening, openAs, runFile, useFiles } from "../../state/files/files";
+import { baseName, type Opening, openAs, type RunUse, runFile, useFiles } from "../../state/files/files";
 
-type Choice = "run" | "design";
-
-const USES: Readonly<Record<"program" | "moves", Readonly<Record<Choice, readonly [string, string]>>>> = {
+const USES: Readonly<Record<"program" | "moves", Readonly<Record<RunUse, readonly [string, string]>>>> = {
   program: {
     run: ["Run it as it stands", "Shown, checked and run unchanged. Nothing is compensated."],
     design: ["Make it a design", "The shape that it leaves on this machine, to edit and to plan."],
@@ -21,7 +19,7 @@ const USES: Readonly<Record<"program" | "moves", Readonly<Record<Choice, readonl
 /** What becomes of a program of the machine's own format, or of recorded moves. */
 export function RunOrDesign({ opening }: { readonly opening: Opening }) {
   const { path, look } = opening;
-  const [choice, setChoice] = useState<Choice>("run");
+  const [choice, setChoice] = useState<RunUse>(opening.use ?? "run");
   const [busy, setBusy] = useState(false);
   const { bare, length } = useLengths();
   const close = () => useFiles.setState({ opening: null });

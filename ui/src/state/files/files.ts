@@ -25,10 +25,15 @@ import { useExports } from "./exports";
 export type Purpose = "design" | "stencil";
 
 /** A file that was looked into, and what is still open about it. */
+/** What becomes of a program or of recorded moves. */
+export type RunUse = "run" | "design";
+
 export interface Opening {
   readonly path: string;
   readonly purpose: Purpose;
   readonly look: LookResponse;
+  /** What is chosen first of a program or of recorded moves; run where nothing is said. */
+  readonly use?: RunUse;
 }
 
 interface FilesStore {
@@ -152,14 +157,14 @@ async function opened(ask: () => Promise<DesignOpened>, name: string): Promise<b
 }
 
 /** Opens a file, or asks first how it is to be read. */
-export async function openPath(path: string, purpose: Purpose = "design"): Promise<void> {
+export async function openPath(path: string, purpose: Purpose = "design", use: RunUse = "run"): Promise<void> {
   const look = await reading(baseName(path), () => told(asking("look", { design: { input: { file: path } } })));
   if (!look) return;
   if (look.seen === "job") {
     if (purpose === "design") await runFile(path);
     else tell("error", `${baseName(path)} is a job, which has no surface to trace on.`, "is-a-job");
   } else if (needsAnswers(look, purpose)) {
-    useFiles.setState({ opening: { path, purpose, look } });
+    useFiles.setState({ opening: { path, purpose, look, use } });
   } else if (await mayLeave()) {
     await opened(() => asking("open", { design: { input: { file: path } } }), baseName(path));
   }

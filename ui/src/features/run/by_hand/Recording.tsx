@@ -35,7 +35,7 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
   // A design says which file it comes from: the moves are in one before it is made.
   const makeDesign = async () => {
     const saved = await save();
-    if (saved !== null) await openPath(saved);
+    if (saved !== null) await openPath(saved, "design", "design");
   };
   const replayFile = async () => {
     const picked = await told(platform.pickFile([MOVES]));

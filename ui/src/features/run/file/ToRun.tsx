@@ -62,7 +62,7 @@ export function ToRun({ state }: { readonly state: MachineState | null }) {
         </ul>
         <div className="row end wrap">
           {path !== null && kind !== "job" && (
-            <Button small onClick={() => void openPath(path)}>
+            <Button small onClick={() => void openPath(path, "design", "design")}>
               Make it a design…
             </Button>
           )}
