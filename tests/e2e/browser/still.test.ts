@@ -205,40 +205,62 @@ it("keeps the layout around the panel while a machine is connected", async () =>
   );
 });
 
-it("keeps the buttons of Run under the pointer, whatever comes above them", async () => {
-  await editor.take("house", "run");
-  const run = editor.section("run");
-  const button = (name: string) => run.getByRole("button", { name, exact: true });
-  const phase = (name: string) => run.locator(`.run-phase.${name}`).waitFor();
-  await run.getByLabel("Port", { exact: true }).selectOption("sim:10");
-  await button("Connect").click();
-  await phase("connected");
-  /** What is under a pointer that rests. */
-  const under = (x: number, y: number) =>
-    editor.page.evaluate(
-      ([x, y]) => document.elementFromPoint(x, y)?.closest("button")?.textContent?.trim() ?? "no button",
-      [x, y] as const,
-    );
-  /** Rests on a button while something else does it, and is on `then` afterwards. */
-  const rests = async (name: string, does: () => Promise<unknown>, came: string, then: string) => {
-    await button(name).hover();
-    const { x, y, width, height } = (await button(name).boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
-    await does();
-    await phase(came);
-    await editor.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-    expect(await under(x + width / 2, y + height / 2), `where ${name} was`).toBe(then);
-  };
-  const order = (what: Order) => editor.loopback.ask("order", { request: what });
-  await button("Arm…").click();
+const run = () => editor.section("run");
+const inRun = (name: string) => run().getByRole("button", { name, exact: true });
+const phase = (name: string) => run().locator(`.run-phase.${name}`).waitFor();
+const order = (what: Order) => editor.loopback.ask("order", { request: what });
+const interrupted = () => run().getByRole("group", { name: "Interrupted wire" });
+
+async function arm(): Promise<void> {
+  await inRun("Arm…").click();
   await editor.page.getByRole("dialog").getByRole("button", { name: "Arm", exact: true }).click();
   await phase("armed");
+}
+
+/** Rests on a button while something else does it, and is on `then` afterwards. */
+async function rests(name: string, does: () => Promise<unknown>, came: string, then: string): Promise<void> {
+  await inRun(name).hover();
+  const { x, y, width, height } = (await inRun(name).boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+  await does();
+  await phase(came);
+  await editor.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  const under = await editor.page.evaluate(
+    ([x, y]) => document.elementFromPoint(x, y)?.closest("button")?.textContent?.trim() ?? "no button",
+    [x + width / 2, y + height / 2] as const,
+  );
+  expect(under, `where ${name} was`).toBe(then);
+}
+
+it("keeps the buttons of Run under the pointer, whatever comes above them", async () => {
+  await editor.take("house", "run");
+  await run().getByLabel("Port", { exact: true }).selectOption("sim:10");
+  await inRun("Connect").click();
+  await phase("connected");
+  await arm();
   await rests("Start", () => order({ order: "start" }), "making", "Pause");
   await rests("Pause", () => order({ order: "pause" }), "holding", "Resume");
   await rests("Resume", () => order({ order: "resume" }), "making", "Pause");
   // A wire that is stopped leaves a card above.
   await rests("Pause", () => press("Control+Space"), "stopped", "Start");
-  await run.getByRole("group", { name: "Interrupted wire" }).waitFor();
+  await interrupted().waitFor();
   await editor.isCleanNow("still-run-stopped");
+});
+
+it("keeps them there when the card of that wire goes, also where the panel has nothing to scroll", async () => {
+  const size = editor.page.viewportSize() ?? { width: 1280, height: 800 };
+  await editor.page.setViewportSize({ width: 1280, height: 1600 });
+  await inRun("Home").click();
+  await phase("ready");
+  // Another wire: of the one that was interrupted nothing is forgotten.
+  await editor.loopback.ask("edit", { request: { edit: "place", positions: [{ vertex: 1, at_mm: [40, 0, 0] }] } });
+  await editor.reload("run");
+  await interrupted().waitFor();
+  await arm();
+  expect(await run().evaluate((section) => section.closest(".panel-sections")?.scrollTop)).toBe(0);
+  await rests("Start", () => order({ order: "start" }), "making", "Pause");
+  await interrupted().waitFor({ state: "detached" });
+  await rests("Pause", () => press("Control+Space"), "stopped", "Start");
+  await editor.page.setViewportSize(size);
 });
 
 it("keeps the focus on a click on a unit, and letters of a field away from the design", async () => {

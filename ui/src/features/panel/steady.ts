@@ -8,9 +8,13 @@ interface Held {
   readonly top: number;
 }
 
+/** px of a style; none is 0. */
+const px = (length: string): number => Number.parseFloat(length) || 0;
+
 /**
- * Keeps what is under the pointer where it is when something above it grows or shrinks: a click that is on its way would land on something
- * else, and some of it moves machines. `parts` names what the box scrolls, one below the other. WebKit does not do it by itself.
+ * Keeps what is under the pointer where it is when something else in the box grows or shrinks: a click that is on its way would land on something
+ * else, and some of it moves machines. Where the box cannot scroll so far there is room left above or below, until the pointer leaves. `parts`
+ * names what the box scrolls, one below the other. WebKit does not do it by itself.
  */
 export function useSteady(box: RefObject<HTMLElement | null>, parts: string): void {
   useEffect(() => {
@@ -18,19 +22,40 @@ export function useSteady(box: RefObject<HTMLElement | null>, parts: string): vo
     if (!scrolled) return;
     let under: readonly Held[] = [];
     let scroll = 0;
-    const place = (element: Element) => element.getBoundingClientRect().top - scrolled.getBoundingClientRect().top;
+    let height = 0;
+    const { style } = scrolled;
+    const place = (element: Element, side: "top" | "bottom" = "top") =>
+      element.getBoundingClientRect()[side] - scrolled.getBoundingClientRect().top;
     const look = () => {
       const there = under.filter(({ element }) => element.isConnected);
       under = there.map(({ element }) => ({ element, top: place(element) }));
-      scroll = scrolled.scrollTop;
+      [scroll, height] = [scrolled.scrollTop, scrolled.scrollHeight];
+    };
+    /** Scrolls by so many px, with room above or below where the contents end before. */
+    const shift = (by: number) => {
+      const above = px(style.paddingTop);
+      // Room that was left is used first.
+      const kept = Math.max(above - Math.max(by, 0), 0);
+      let rest = by - (above - kept);
+      if (rest < -scrolled.scrollTop) {
+        style.paddingTop = `${kept - rest - scrolled.scrollTop}px`;
+        rest = -scrolled.scrollTop;
+      } else if (kept !== above) style.paddingTop = kept > 0 ? `${kept}px` : "";
+      const to = scrolled.scrollTop + rest;
+      const end = scrolled.lastElementChild ? place(scrolled.lastElementChild, "bottom") + scrolled.scrollTop : 0;
+      // Contents that end above the lower edge do not scroll yet: the room reaches from there on.
+      const below = to > 0 ? to + scrolled.clientHeight - end : 0;
+      if (below > px(style.paddingBottom)) style.paddingBottom = `${below}px`;
+      if (scrolled.scrollTop !== to) scrolled.scrollTop = to;
     };
     const hold = (): boolean => {
       const held = under.find(({ element }) => element.isConnected);
       if (!held) return false;
       // A scroll is wanted, but for that of a box whose contents have become too short for it.
-      const cut = scrolled.scrollTop + scrolled.clientHeight >= scrolled.scrollHeight - 1;
+      const shorter = scrolled.scrollHeight < height && scrolled.scrollTop < scroll;
+      const cut = shorter && scrolled.scrollTop + scrolled.clientHeight >= scrolled.scrollHeight - 1;
       const moved = place(held.element) - held.top + (cut ? 0 : scrolled.scrollTop - scroll);
-      if (moved !== 0) scrolled.scrollTop += moved;
+      if (moved !== 0) shift(moved);
       look();
       return moved !== 0;
     };
@@ -41,17 +66,20 @@ export function useSteady(box: RefObject<HTMLElement | null>, parts: string): vo
     const point = ({ target }: Event) => {
       // What has grown may come under a pointer that rests, before its growth is reported: that is taken back, since the user has not
       // pointed at it.
-      if (scrolled.scrollTop === scroll && hold()) return;
+      const grown = scrolled.scrollTop === scroll || scrolled.scrollHeight !== height;
+      if (grown && hold()) return;
       const around = target instanceof Element ? HELD.map((kind) => target.closest(kind)) : [];
       under = around.filter((element) => element !== null).map((element) => ({ element, top: 0 }));
       look();
     };
     scrolled.addEventListener("pointerover", point, { signal });
-    scrolled.addEventListener("scroll", look, { signal });
+    // Contents that have become too short scroll the box too, maybe before their size is reported.
+    scrolled.addEventListener("scroll", () => (scrolled.scrollHeight === height ? look() : void hold()), { signal });
     scrolled.addEventListener(
       "pointerleave",
       () => {
         under = [];
+        [style.paddingTop, style.paddingBottom] = ["", ""];
       },
       { signal },
     );
