@@ -20,7 +20,7 @@ const plane = () =>
   editor.section("trace").getByRole("radiogroup", { name: "Plane" }).getByRole("radio", { checked: true }).inputValue();
 const card = () => editor.page.locator(".hover-card");
 
-it("looks from all six sides, by keys and by buttons", async () => {
+it("looks from all six sides, by keys and by the buttons of the view cube", async () => {
   await editor.take("house");
   await editor.page.locator(".viewport canvas").focus();
   for (const [key, name] of [
@@ -34,12 +34,83 @@ it("looks from all six sides, by keys and by buttons", async () => {
     await press(key);
     await until(view).toBe(name);
   }
+  // In sight once they have the focus.
+  const button = (name: string) => editor.page.getByRole("group", { name: "View" }).getByRole("button", { name });
   for (const name of ["Back", "Left", "Bottom", "Front"]) {
-    await editor.page.getByRole("group", { name: "View" }).getByRole("button", { name }).click();
+    await button(name).focus();
+    await press("Enter");
     await until(view).toBe(name);
   }
+  await press("Tab");
+  expect(
+    await button("Back").evaluate((one) => [document.activeElement === one, getComputedStyle(one).opacity]),
+  ).toEqual([true, "1"]);
+  await picture(editor.page, "views-cube-focus");
   await editor.page.getByText("Orbit: right or middle button").waitFor();
   await editor.isClean("views");
+});
+
+/** A face, an edge or a corner of the view cube. */
+const zone = (name: string) => editor.page.locator(`.view-cube [data-zone="${name}"]`).first();
+
+it("turns to the faces, edges and corners of the view cube that are clicked, and with a drag of it", async () => {
+  await editor.take("house");
+  // Around the house: the edge between two sides is seen from both.
+  for (const name of ["Right", "Back, right", "Back", "Back, left", "Left", "Top, left", "Top"]) {
+    await zone(name).click();
+    await until(view).toBe(name.includes(",") ? "Perspective" : name);
+  }
+
+  // Without perspective, and from a corner: what is in the design is where the projection along a cube's diagonal has it.
+  await editor.page.locator(".viewport canvas").focus();
+  for (const name of ["Perspective", "Parallel"]) {
+    await press("5");
+    await until(view).toBe(name);
+  }
+  await zone("Top, front, right").click();
+  const faces = () => editor.page.locator(".cube-face text").allTextContents();
+  await until(faces).toEqual(["Front", "Right", "Top"]);
+  expect(await view()).toBe("Parallel");
+  await editor.page.mouse.move(300, 400);
+  await picture(editor.page, "views-cube-corner");
+  const { vertices } = await editor.design();
+  const [right, up] = [
+    [Math.SQRT1_2, Math.SQRT1_2, 0],
+    [-1 / Math.sqrt(6), 1 / Math.sqrt(6), Math.sqrt(2 / 3)],
+  ] as const;
+  const along = (way: readonly [number, number, number], at: Place) => way[0] * at[0] + way[1] * at[1] + way[2] * at[2];
+  // The same picture as one from the front, of places that are as far to the right and up.
+  const flat = vertices.map(({ at_mm }): Place => [along(right, at_mm), 0, along(up, at_mm)]);
+  await editor.page.locator(".viewport canvas").focus();
+  await press("Home");
+  const sight = await Sight.framed(editor.page, "front", flat);
+  for (const [index, vertex] of vertices.entries()) {
+    const { x, y } = sight.at(flat[index] ?? [0, 0, 0]);
+    await editor.page.mouse.move(x - 2, y);
+    await editor.page.mouse.move(x, y);
+    await card()
+      .filter({ hasText: `Vertex ${vertex.id} ` })
+      .waitFor();
+  }
+
+  // What would be chosen is marked.
+  await zone("Top").hover();
+  await until(() => zone("Top").getAttribute("class")).toContain("hovered");
+  // At once for who wants no motion: the very next frame shows it.
+  await editor.page.emulateMedia({ reducedMotion: "reduce" });
+  await zone("Top").click();
+  await editor.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  expect([await view(), await faces()]).toEqual(["Top", ["Top"]]);
+  await editor.page.emulateMedia({ reducedMotion: null });
+
+  const box = await zone("Top").boundingBox();
+  const [x, y] = [(box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2];
+  await editor.page.mouse.move(x, y);
+  await editor.page.mouse.down();
+  await editor.page.mouse.move(x + 8, y - 16, { steps: 4 });
+  await editor.page.mouse.up();
+  await until(view).toBe("Perspective");
+  await until(faces).toContain("Front");
 });
 
 it("never shows the plane that is drawn on from its edge", async () => {

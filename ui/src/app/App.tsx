@@ -28,7 +28,7 @@ import { TraceSection } from "../features/trace/TraceSection";
 import { Hit } from "../features/viewport/Hit";
 import { HoverCard } from "../features/viewport/HoverCard";
 import { PointerHint } from "../features/viewport/PointerHint";
-import { ViewName } from "../features/viewport/ViewName";
+import { ViewCube } from "../features/viewport/ViewCube";
 import { Viewport } from "../features/viewport/Viewport";
 import { Guard } from "../shared/Guard";
 
@@ -43,7 +43,7 @@ export function App() {
         </Guard>
         <Guard name="What lies over the view">
           <Toolbar />
-          <ViewName />
+          <ViewCube />
           <PointerHint />
           <EmptyState />
           <Unsaved />

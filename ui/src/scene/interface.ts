@@ -168,6 +168,13 @@ export type Hovered =
   | { readonly kind: "edge"; readonly id: number; readonly x: number; readonly y: number }
   | { readonly kind: "snap"; readonly snap: SnapKind; readonly at: Vec3; readonly x: number; readonly y: number };
 
+/** Directions of the picture in the frame of the design, of length 1: to the right, up, and out of it towards the eye. */
+export interface ViewAxes {
+  readonly right: Vec3;
+  readonly up: Vec3;
+  readonly back: Vec3;
+}
+
 /** What the scene reports. Places on the screen are CSS pixels from the upper left corner of the viewport. */
 export interface SceneListener {
   selected(selection: Selection): void;
@@ -191,6 +198,8 @@ export interface SceneListener {
   strandEnded(): void;
   /** "Front", "Back", "Right", "Left", "Top", "Bottom", "Parallel", or "Perspective": also once the view was turned, so that a name no longer holds. */
   viewChanged(name: string): void;
+  /** At the first frame, and at each in which the view has another direction than in the one before. */
+  viewTurned(axes: ViewAxes): void;
   /** A right click that neither turned the view nor gave something up; what it is on is selected. */
   menu(at: { readonly x: number; readonly y: number }): void;
 }

@@ -32,7 +32,7 @@ import { Pointer, type ToolHandler } from "./tools/pointer";
 import { SelectTool } from "./tools/select_tool";
 import { TraceTool } from "./tools/trace_tool";
 import { Frames } from "./view/frames";
-import type { ViewName } from "./view/orbit";
+import { axes, type ViewName } from "./view/orbit";
 import { ScreenRatio } from "./view/screen_ratio";
 import { type Seen, Turning } from "./view/turning";
 
@@ -59,10 +59,12 @@ export class Viewport {
   private framed = false;
   private readonly ratio: ScreenRatio;
   private beforePlay: Seen | null = null;
+  /** The direction that the listener was told last. */
+  private told: { readonly yaw: number; readonly pitch: number } | null = null;
 
   constructor(
     private readonly host: HTMLElement,
-    listener: SceneListener,
+    private readonly listener: SceneListener,
     options: ViewportOptions,
   ) {
     const { canvas } = this;
@@ -75,7 +77,10 @@ export class Viewport {
     this.renderer.autoClear = false;
     this.renderer.info.autoReset = false;
     this.frames = new Frames(
-      () => this.pointer.work(),
+      () => {
+        this.pointer.work();
+        if (this.turning.advance(performance.now())) this.frames.request();
+      },
       () => this.draw(),
     );
     this.stage = new Stage(this.overlay.element, options.lengths, () => this.frames.request());
@@ -252,6 +257,16 @@ export class Viewport {
     this.turning.look(name);
   }
 
+  /** Turns to a side, or to where a direction points, so that it is seen how; at once for a person who wants no motion. */
+  fly(to: ViewName | Vec3): void {
+    this.turning.fly(to, matchMedia("(prefers-reduced-motion: reduce)").matches);
+  }
+
+  /** Turns by a drag of so many CSS pixels, as one with the right button does. */
+  turn(dx: number, dy: number): void {
+    this.turning.turn(dx, dy);
+  }
+
   /** Turns straight at a plane that is seen from its edge, or nearly so; whether it had to. */
   face(plane: DrawingPlane): boolean {
     return this.turning.face(plane);
@@ -339,6 +354,11 @@ export class Viewport {
     if (this.stage.camera.width < 2 || this.stage.camera.height < 2 || this.renderer.getContext().isContextLost())
       return;
     this.stage.draw(this.renderer);
+    const { yaw, pitch } = this.stage.camera.orbit;
+    if (this.told?.yaw !== yaw || this.told.pitch !== pitch) {
+      this.told = { yaw, pitch };
+      this.listener.viewTurned(axes(this.stage.camera.orbit));
+    }
     this.overlay.grid(`Grid ${spacingText(this.stage.spacing, this.stage.lengths)}`);
   }
 

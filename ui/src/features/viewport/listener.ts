@@ -7,6 +7,7 @@ import { settled } from "../../state/design/turns";
 import { placeStencil } from "../../state/parts/parts";
 import { openMenu } from "../../state/window/context_menu";
 import { useView } from "../../state/window/view";
+import { useViewAxes } from "../../state/window/view_axes";
 
 /** The stroke as a change. */
 export function drawOf({
@@ -83,6 +84,7 @@ export function listenerOf(corner: () => { readonly left: number; readonly top: 
       useView.setState({ strand: null });
     },
     viewChanged: (viewName) => useView.setState({ viewName }),
+    viewTurned: (axes) => useViewAxes.setState({ axes }),
     menu: ({ x, y }) => {
       const { left, top } = corner();
       openMenu("design", { x: left + x, y: top + y });

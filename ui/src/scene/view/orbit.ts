@@ -80,6 +80,12 @@ export function looking(orbit: Orbit, view: ViewName): Orbit {
   return { ...orbit, ...VIEWS[view], orthographic: view !== "perspective" };
 }
 
+/** Looking from where a direction points, at the same target and scale. Straight from above and below it looks as those views do. */
+export function lookingFrom(orbit: Orbit, [x, y, z]: Vec3): Orbit {
+  const across = Math.hypot(x, y);
+  return { ...orbit, yaw: across < 1e-9 ? VIEWS.top.yaw : Math.atan2(y, x), pitch: Math.atan2(z, across) };
+}
+
 /** How squarely a plane is seen, by its normal of length 1: 1 straight on, 0 from its edge. */
 export const squareness = (orbit: Orbit, normal: Vec3): number => Math.abs(dot(axes(orbit).back, normal));
 

@@ -1,9 +1,10 @@
 /** From where the design is seen, and what that view is called. */
 
-import type { DrawingPlane, Tool } from "../interface";
+import type { DrawingPlane, Tool, Vec3 } from "../interface";
 import { normalOf } from "../layers/grid";
 import type { Camera } from "./camera";
-import { facingPlane, looking, type Orbit, squareness, type ViewName, viewOf } from "./orbit";
+import { type Flight, flown } from "./flight";
+import { facingPlane, looking, lookingFrom, type Orbit, squareness, turned, type ViewName, viewOf } from "./orbit";
 import { afterKey } from "./view_keys";
 
 /** A view from anywhere without perspective, beside those of `ViewName`. */
@@ -36,6 +37,8 @@ export class Turning {
   private view: AnyView = "perspective";
   /** Where the plane that is drawn on was last seen from well. */
   private upright: Orbit | null = null;
+  /** On the way to a view, what it looks like on the way, and what it is called there. */
+  private flight: (Flight & { readonly seen: Orbit; readonly view: AnyView }) | null = null;
 
   /** `named`: hears what the view is called now. */
   constructor(
@@ -49,6 +52,39 @@ export class Turning {
 
   look(name: ViewName): void {
     this.goBack({ orbit: looking(this.stage.camera.orbit, name), view: name });
+  }
+
+  /** Turns to a side, or to where a direction points, frame by frame or at once. */
+  fly(to: ViewName | Vec3, atOnce: boolean): void {
+    const { orbit } = this.stage.camera;
+    const seen = typeof to === "string" ? { orbit: looking(orbit, to), view: to } : this.seenFrom(to);
+    if (atOnce) this.goBack(seen);
+    else {
+      this.flight = { from: orbit, to: seen.orbit, begun: performance.now(), seen: orbit, view: seen.view };
+      this.stage.viewMoved();
+    }
+  }
+
+  /** Once a frame; whether another is needed. What has turned the view meanwhile ends the flight. */
+  advance(now: number): boolean {
+    const { flight, stage } = this;
+    if (!flight) return false;
+    this.flight = null;
+    if (stage.camera.orbit !== flight.seen) return false;
+    const { orbit, arrived } = flown(flight, now);
+    if (arrived) this.goBack({ orbit, view: flight.view });
+    else {
+      this.flight = { ...flight, seen: orbit };
+      stage.camera.orbit = orbit;
+      stage.viewMoved();
+    }
+    return !arrived;
+  }
+
+  /** Turned by hand, as dragging in the view does. */
+  turn(dx: number, dy: number): void {
+    this.stage.camera.orbit = turned(this.stage.camera.orbit, dx, dy);
+    this.moved(true);
   }
 
   goBack({ orbit, view }: Seen): void {
@@ -102,6 +138,12 @@ export class Turning {
     if (turned && this.view === "parallel") camera.orbit = { ...camera.orbit, orthographic: true };
     else if (turned) this.name("perspective");
     this.stage.viewMoved();
+  }
+
+  /** With or without perspective as a turn by hand would have it. */
+  private seenFrom(direction: Vec3): Seen {
+    const view = this.view === "parallel" ? "parallel" : "perspective";
+    return { orbit: { ...lookingFrom(this.stage.camera.orbit, direction), orthographic: view === "parallel" }, view };
   }
 
   private name(view: AnyView): void {

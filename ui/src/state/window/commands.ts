@@ -1,3 +1,4 @@
+import type { Vec3 } from "../../scene/interface";
 import { redo, undo, useDesign, whyNoChange } from "../design/design";
 import * as operations from "../design/operations";
 import { connected, inverted, isEmpty, NOTHING, select, useSelection } from "../design/selection";
@@ -59,29 +60,48 @@ const figure = (name: OperationName) => () => {
     document.querySelector<HTMLInputElement>(`#operation-${name} .number-field input`)?.focus(),
   );
 };
-/** The sine of the angle under which a plane is seen from its edge. */
-const EDGE_ON = 0.05;
+/** The sine of 8°: a plane that is seen so nearly from its edge cannot be drawn on. */
+const EDGE_ON = 0.14;
+
+const isEdgeOn = (normal: Vec3, from: Vec3): boolean =>
+  Math.abs(normal[0] * from[0] + normal[1] * from[1] + normal[2] * from[2]) < EDGE_ON * Math.hypot(...from);
+
+/** Whether the plane that is drawn on would be seen from its edge. */
+const hidesPlane = (from: Vec3): boolean => {
+  const now = useView.getState();
+  return now.tool === "draw" && isEdgeOn(normalOf(drawnPlane(now)), from);
+};
+
+/** Whether the view from a side goes with another plane than the one that is drawn on. */
+function changesPlane(side: Side): boolean {
+  const now = useView.getState();
+  if (now.tool !== "draw" || now.ownPlane) return hidesPlane(normalOf(planeOf(FACING[side], 0)));
+  return now.plane !== FACING[side];
+}
 
 /** Looks from a side. The plane that is drawn on goes with the view, which never shows it from its edge. */
 function view(side: Side): Command {
-  const drawing = () => {
-    const now = useView.getState();
-    if (now.tool !== "draw") return false;
-    if (!now.ownPlane) return now.plane !== FACING[side];
-    const [one, other] = [normalOf(drawnPlane(now)), normalOf(planeOf(FACING[side], 0))];
-    return Math.abs(one[0] * other[0] + one[1] * other[1] + one[2] * other[2]) < EDGE_ON;
-  };
   return {
     run: () => {
       useView.getState().handle?.view(side);
-      if (drawing()) choosePlane(FACING[side]);
+      if (changesPlane(side)) choosePlane(FACING[side]);
     },
     why: () =>
-      drawing() && useView.getState().strand !== null
+      changesPlane(side) && useView.getState().strand !== null
         ? "The plane would be seen from its edge: end the strand first, with Esc."
         : null,
   };
 }
+
+/** The same so that it is seen how the view turns; at once where the plane goes with it, which is faced at once. */
+export function flyTo(side: Side): void {
+  if (changesPlane(side)) run(`view-${side}`);
+  else useView.getState().handle?.fly(side);
+}
+
+/** Why the view cannot look from where a direction points: a sentence. */
+export const whyNotFrom = (direction: Vec3): string | null =>
+  hidesPlane(direction) ? "The plane that is drawn on would be seen from its edge." : null;
 
 function selectAll(): void {
   const design = shownDesign(useDesign.getState());

@@ -10,6 +10,9 @@ import { type DisplayUnit, useUnits } from "./units";
 /** What the rest of the window asks of the view. */
 interface ViewHandle {
   view(name: Side): void;
+  /** The same so that it is seen how the view turns. */
+  fly(to: Side | Vec3): void;
+  turn(dx: number, dy: number): void;
   toggleParallel(): void;
   frame(selection?: Selection): void;
   /** CSS pixels in the view of a place of the design; null where it is behind the eye. */

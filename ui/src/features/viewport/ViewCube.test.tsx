@@ -7,7 +7,7 @@ vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Erro
 
 import { place } from "../../shared/testing";
 import { useView } from "../../state/window/view";
-import { ViewName } from "./ViewName";
+import { ViewCube } from "./ViewCube";
 
 const at = place();
 afterEach(() => useView.setState({ tool: "select", plane: "xy", strand: null }));
@@ -17,7 +17,7 @@ const off = () =>
 
 it("keeps the sides off that would show the plane of an open strand from its edge, also once that is another plane", () => {
   useView.setState({ tool: "draw", plane: "xy", strand: 1 });
-  at.show(<ViewName />);
+  at.show(<ViewCube />);
   expect(off()).toEqual(["Front", "Back", "Right", "Left"]);
   act(() => useView.setState({ plane: "xz" }));
   expect(off()).toEqual(["Right", "Left", "Top", "Bottom"]);
