@@ -27,6 +27,7 @@ import { TopBar } from "../features/topbar/TopBar";
 import { TraceSection } from "../features/trace/TraceSection";
 import { Hit } from "../features/viewport/Hit";
 import { HoverCard } from "../features/viewport/HoverCard";
+import { Measuring } from "../features/viewport/Measuring";
 import { PointerHint } from "../features/viewport/PointerHint";
 import { ViewCube } from "../features/viewport/ViewCube";
 import { Viewport } from "../features/viewport/Viewport";
@@ -45,6 +46,7 @@ export function App() {
           <Toolbar />
           <ViewCube />
           <PointerHint />
+          <Measuring />
           <EmptyState />
           <Unsaved />
           <OpenNotes />

@@ -104,7 +104,15 @@ export type Tool =
   /** Each click places a vertex that snaps, and connects it with the one before. */
   | "trace"
   /** The same on a plane, for flat parts. */
-  | "draw";
+  | "draw"
+  /** Two clicks measure between what they take; the design stays as it is. */
+  | "measure";
+
+/** What is measured from or to, mm: a straight piece, or a place, which has both ends where it is. */
+export interface MeasuredThing {
+  readonly from: Vec3;
+  readonly to: Vec3;
+}
 
 /** `angle`: an edge that is drawn on a plane goes in steps of 15°. */
 export type SnapKind =
@@ -196,6 +204,8 @@ export interface SceneListener {
    */
   stroke(stroke: Stroke): Promise<number | null>;
   strandEnded(): void;
+  /** None, the first, or the two that are measured between; the second may be what the pointer is on. */
+  measuring(things: readonly MeasuredThing[]): void;
   /** "Front", "Back", "Right", "Left", "Top", "Bottom", "Parallel", or "Perspective": also once the view was turned, so that a name no longer holds. */
   viewChanged(name: string): void;
   /** At the first frame, and at each in which the view has another direction than in the one before. */

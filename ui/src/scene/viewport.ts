@@ -28,6 +28,7 @@ import type {
 import { spacingText } from "./layers/grid_spacing";
 import { Overlay } from "./layers/overlay";
 import { Stage } from "./stage";
+import { MeasureTool } from "./tools/measure_tool";
 import { Pointer, type ToolHandler } from "./tools/pointer";
 import { SelectTool } from "./tools/select_tool";
 import { TraceTool } from "./tools/trace_tool";
@@ -54,6 +55,7 @@ export class Viewport {
   private readonly turning: Turning;
   private readonly selecting: SelectTool;
   private readonly tracing: TraceTool;
+  private readonly measuring: MeasureTool;
   private readonly resized: ResizeObserver;
   private readonly stop = new AbortController();
   private framed = false;
@@ -87,6 +89,7 @@ export class Viewport {
     this.turning = new Turning(this.stage, (name) => listener.viewChanged(name));
     this.selecting = new SelectTool(this.stage, listener, this.overlay);
     this.tracing = new TraceTool(this.stage, listener, this.overlay);
+    this.measuring = new MeasureTool(this.stage, listener, this.overlay);
     this.pointer = new Pointer(
       canvas,
       this.stage.camera,
@@ -126,6 +129,7 @@ export class Viewport {
     this.stage.setDesign(design);
     this.selecting.designChanged();
     this.tracing.designChanged();
+    this.measuring.designChanged();
     this.frameFirst();
   }
 
@@ -196,6 +200,7 @@ export class Viewport {
     this.selecting.cancel();
     this.selecting.hover(null);
     this.tracing.leave();
+    this.measuring.leave();
     this.stage.tool = tool;
     this.turning.forget();
     this.overlay.cursor(tool === "select" ? "default" : "crosshair");
@@ -245,12 +250,12 @@ export class Viewport {
 
   /** While something is moved or a strand is open, its keys; whether this was one. Call it before the editor's own keys. */
   handleKey(event: KeyboardEvent): boolean {
-    return this.stage.tool === "select" ? this.selecting.key(event) : this.tracing.key(event);
+    return this.tool.key(event);
   }
 
   /** Ends a strand, gives up a drag or a box; whether there was one. */
   cancel(): boolean {
-    return this.stage.tool === "select" ? this.selecting.cancel() : this.tracing.cancel();
+    return this.tool.cancel();
   }
 
   view(name: ViewName): void {
@@ -347,7 +352,12 @@ export class Viewport {
   }
 
   private get handler(): ToolHandler {
-    return this.stage.tool === "select" || this.stage.playing ? this.selecting : this.tracing;
+    return this.stage.playing ? this.selecting : this.tool;
+  }
+
+  private get tool(): SelectTool | TraceTool | MeasureTool {
+    const { tool } = this.stage;
+    return tool === "select" ? this.selecting : tool === "measure" ? this.measuring : this.tracing;
   }
 
   private draw(): void {

@@ -1,5 +1,6 @@
 import { useMemo } from "react";
-import { angle, count } from "../../shared/figures/format";
+import { apartPhrase } from "../../shared/figures/apart";
+import { count } from "../../shared/figures/format";
 import { useLengths } from "../../shared/figures/unit";
 import { useDesign } from "../../state/design/design";
 import { lengthOf } from "../../state/design/geometry";
@@ -44,10 +45,7 @@ function Distance() {
   const { length, bare, name } = useLengths();
   const text = useMemo(() => {
     const found = measured(selection, design);
-    if (!found) return null;
-    const [x, y, z] = [0, 1, 2].map((axis) => bare((found.to[axis] ?? 0) - (found.from[axis] ?? 0)));
-    const apart = `Distance ${length(found.mm)} · x ${x}  y ${y}  z ${z} ${name}`;
-    return found.deg === null ? apart : `${apart} · ${angle(found.deg)}`;
+    return found && apartPhrase(found, { length, bare, name });
   }, [selection, design, length, bare, name]);
   return (
     <p className="measured">{text ?? <span className="muted">Select two things to measure between them.</span>}</p>

@@ -20,6 +20,7 @@ const GROUPS: readonly (readonly Entry[])[] = [
     { command: "tool-select", icon: "select", label: "Select", tool: "select" },
     { command: "tool-trace", icon: "trace", label: "Trace on the stencil", tool: "trace" },
     { command: "tool-draw", icon: "draw", label: "Draw on a plane", tool: "draw" },
+    { command: "tool-measure", icon: "measure", label: "Measure between two things", tool: "measure" },
   ],
   [
     { command: "move", icon: "move", label: "Move" },

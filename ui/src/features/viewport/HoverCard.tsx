@@ -26,9 +26,17 @@ const SNAP_NAMES: Readonly<Record<SnapKind, string>> = {
   plane: "On the plane",
 };
 
+/** The same where nothing is split by a click. */
+const MEASURED_NAMES: Readonly<Partial<Record<SnapKind, string>>> = {
+  "edge-middle": "Middle of an edge",
+  edge: "Edge",
+  construction: "Construction line",
+};
+
 /** What is under the pointer, in words and figures. */
 export function HoverCard() {
   const hovered = useView((view) => view.hovered);
+  const measures = useView(({ tool }) => tool === "measure");
   const played = usePlayback(({ played }) => played !== null);
   const menu = useContextMenu(({ opened }) => opened !== null);
   const byHand = useByHand(({ played }) => played !== null);
@@ -65,7 +73,7 @@ export function HoverCard() {
     sub = `vertex ${edge.a} to ${edge.b}${marks.doubled.has(hovered.id) ? " · doubled" : ""}`;
     verdict = marks.edges.get(hovered.id) ?? null;
   } else {
-    title = SNAP_NAMES[hovered.snap];
+    title = (measures ? MEASURED_NAMES[hovered.snap] : undefined) ?? SNAP_NAMES[hovered.snap];
     sub = at(hovered.at);
   }
   return (

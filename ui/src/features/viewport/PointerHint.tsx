@@ -9,6 +9,7 @@ const CLICKS: Readonly<Record<Tool, string>> = {
   select: "Select: click, or drag a box",
   trace: "Trace: click for each corner, Esc ends",
   draw: "Draw: click for each corner, Esc ends",
+  measure: "Measure: click two things, Esc ends",
 };
 
 /** What the pointer does in the view, in a quiet line at its foot. */

@@ -83,6 +83,7 @@ export function listenerOf(corner: () => { readonly left: number; readonly top: 
       ended += 1;
       useView.setState({ strand: null });
     },
+    measuring: (measuring) => useView.setState({ measuring }),
     viewChanged: (viewName) => useView.setState({ viewName }),
     viewTurned: (axes) => useViewAxes.setState({ axes }),
     menu: ({ x, y }) => {

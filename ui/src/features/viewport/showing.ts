@@ -164,7 +164,7 @@ export function show(scene: Scene): () => void {
     follow(useDesign, ({ check, vertices, state }) => [check, vertices, state?.parts], labels),
     follow(useDesign, ({ vertices, edges }) => [vertices, edges], dimensions),
     follow(useSelection, ({ vertices, edges }) => [vertices, edges], dimensions),
-    follow(useView, (view) => [view.dimensions], dimensions),
+    follow(useView, (view) => [view.dimensions, view.measuring], dimensions),
     follow(useExact, (exact) => [exact.end, exact.side], dimensions),
     follow(
       useDesign,

@@ -40,6 +40,8 @@ export interface SnapTarget {
   /** The edge that would be split, and where: 0 at `a`, 1 at `b`. */
   readonly edge?: number;
   readonly along?: number;
+  /** The construction line that it is on, between its ends and its middle. */
+  readonly line?: Line;
 }
 
 /** What there is to snap to on the surface that is traced. */
@@ -109,7 +111,7 @@ export function snap(place: SnapPlace, settings: SnapSettings, x: number, y: num
       return { kind: "edge", at: found.at, edge: found.id, along: found.along };
     }
   }
-  if (line && !covered(line.at)) return { kind: "construction", at: line.at };
+  if (line && !covered(line.at)) return { kind: "construction", at: line.at, line: line.whole };
   if (kinds.has("surface") && near?.surface) return { kind: "surface", at: near.surface };
   return onDrawingPlane(place, settings, x, y);
 }
@@ -121,7 +123,7 @@ function onLines(
   x: number,
   y: number,
   reach: number,
-): { readonly at: Vec3; readonly point: Vec3 | null } | null {
+): { readonly at: Vec3; readonly point: Vec3 | null; readonly whole: Line } | null {
   const found = lines.flatMap((line) => {
     const near = nearOnSegment(projection, line[0], line[1], x, y);
     return near && near.off <= reach ? [{ line, ...near }] : [];
@@ -129,7 +131,11 @@ function onLines(
   const best = nearest(found);
   if (!best) return null;
   const points = [...best.line, middle(best.line)];
-  return { at: best.at, point: points.find((point) => within(projection, point, x, y, reach)) ?? null };
+  return {
+    at: best.at,
+    whole: best.line,
+    point: points.find((point) => within(projection, point, x, y, reach)) ?? null,
+  };
 }
 
 /** Whether a place is seen where another one is, and nearer to the eye. */

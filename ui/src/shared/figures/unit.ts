@@ -8,6 +8,8 @@ export function useUnit(): DisplayUnit {
   return use(ShownUnit);
 }
 
+export type Lengths = ReturnType<typeof useLengths>;
+
 /** The formats of lengths in the unit that is shown. */
 export function useLengths() {
   const unit = useUnit();

@@ -1,6 +1,6 @@
-/** What is between two things that are selected: vertices or edges. */
+/** What is between two things: vertices or edges that are selected, or any two that are measured in the view. */
 
-import type { SceneDesign, Selection, Vec3 } from "../../scene/interface";
+import type { MeasuredThing, SceneDesign, Selection, Vec3 } from "../../scene/interface";
 import { angleAt, distance } from "./geometry";
 
 export interface Measured {
@@ -24,8 +24,14 @@ export function measured({ vertices, edges }: Selection, design: SceneDesign): M
   ];
   const [[a, b], [c, d]] = [things[0] ?? [], things[1] ?? []];
   if (!a || !b || !c || !d) return null;
-  const [from, to] = nearest([a, b], [c, d]);
-  const turned = edges.size === 2 ? angleAt([0, 0, 0], subtract(b, a), subtract(d, c)) : null;
+  return between({ from: a, to: b }, { from: c, to: d });
+}
+
+/** The same between two things wherever they come from; an angle between two that have a length. */
+export function between(one: MeasuredThing, other: MeasuredThing): Measured {
+  const [from, to] = nearest([one.from, one.to], [other.from, other.to]);
+  const [u, v] = [subtract(one.to, one.from), subtract(other.to, other.from)];
+  const turned = angleAt([0, 0, 0], u, v);
   return { from, to, mm: distance(from, to), deg: turned === null ? null : Math.min(turned, 180 - turned) };
 }
 

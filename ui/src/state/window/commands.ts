@@ -195,6 +195,7 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
   "tool-select": { run: () => chooseTool("select") },
   "tool-trace": { run: () => chooseTool("trace") },
   "tool-draw": { run: () => chooseTool("draw") },
+  "tool-measure": { run: () => chooseTool("measure") },
   move: change(move, selected),
   extrude: change(() => void operations.extrude(), vertices(1, "extrude")),
   split: change(

@@ -30,6 +30,7 @@ export type CommandId =
   | "tool-select"
   | "tool-trace"
   | "tool-draw"
+  | "tool-measure"
   | "move"
   | "extrude"
   | "split"
@@ -96,6 +97,7 @@ export const KEYS: readonly KeyEntry[] = [
     group: "Tools",
   },
   { command: "tool-draw", label: "Draw on a plane", keys: ["D"], group: "Tools" },
+  { command: "tool-measure", label: "Measure between any two things", keys: ["U"], group: "Tools" },
   {
     command: "move",
     label: "Move; then X, Y or Z locks an axis, digits set the distance",

@@ -1,5 +1,15 @@
 import { create } from "zustand";
-import type { Axis, DrawingPlane, Hovered, Preview, Selection, SnapKind, Tool, Vec3 } from "../../scene/interface";
+import type {
+  Axis,
+  DrawingPlane,
+  Hovered,
+  MeasuredThing,
+  Preview,
+  Selection,
+  SnapKind,
+  Tool,
+  Vec3,
+} from "../../scene/interface";
 import { useDesign } from "../design/design";
 import { planeThrough } from "../design/geometry";
 import { surroundings, verticesOf } from "../design/selecting";
@@ -76,6 +86,8 @@ interface ViewStore {
   readonly hovered: Hovered | null;
   /** How many edges the strand has that is being drawn; null without one. */
   readonly strand: number | null;
+  /** What is measured between: none, the first, or both. */
+  readonly measuring: readonly MeasuredThing[];
   /** What a fix would do, while it is shown. */
   readonly preview: Preview | null;
 }
@@ -115,6 +127,7 @@ export const useView = create<ViewStore>()(() => ({
   viewName: "Perspective",
   hovered: null,
   strand: null,
+  measuring: [],
   preview: null,
 }));
 

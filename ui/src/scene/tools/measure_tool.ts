@@ -1,0 +1,152 @@
+/** Measuring between any two things: a click takes the first, what the pointer is on is measured to it, a second click keeps that. */
+
+import { type Sign, SNAP_SHAPES } from "../drawing/symbols";
+import type { MeasuredThing, SceneListener, SnapKind } from "../interface";
+import type { Overlay } from "../layers/overlay";
+import { type SnapTarget, snap } from "../picking/snap";
+import type { Stage } from "../stage";
+import type { Place, ToolHandler } from "./pointer";
+
+/** All that is there, also what is not snapped to while something is drawn. */
+const THERE: ReadonlySet<SnapKind> = new Set([
+  "vertex",
+  "stencil-vertex",
+  "stencil-edge",
+  "construction",
+  "edge-middle",
+  "edge",
+  "surface",
+]);
+
+const NOTHING = { vertices: new Set<number>(), edges: new Set<number>() };
+
+interface Taken extends MeasuredThing {
+  readonly kind: SnapKind;
+  /** Where the pointer has taken it: on an edge that is measured as a whole. */
+  readonly at: MeasuredThing["from"];
+}
+
+const areSame = (one: MeasuredThing, other: MeasuredThing): boolean =>
+  one.from.join() === other.from.join() && one.to.join() === other.to.join();
+
+export class MeasureTool implements ToolHandler {
+  private taken: readonly Taken[] = [];
+  private last: Place | null = null;
+  private hovered = "";
+  private told = "";
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly listener: SceneListener,
+    private readonly overlay: Overlay,
+  ) {}
+
+  hover(at: Place | null): void {
+    this.last = at;
+    this.overlay.cursor("crosshair");
+    this.show();
+  }
+
+  press(at: Place): void {
+    this.hover(at);
+  }
+
+  drag(at: Place): void {
+    this.hover(at);
+  }
+
+  release(at: Place): void {
+    this.last = at;
+    const thing = this.pointed();
+    const [first] = this.taken;
+    // The second click of a double one asks for nothing.
+    if (thing && !(this.taken.length === 1 && first && areSame(first, thing)))
+      this.taken = this.taken.length === 1 ? [...this.taken, thing] : [thing];
+    this.show();
+  }
+
+  double(): void {
+    // Each of its clicks was taken already.
+  }
+
+  context(at: Place): void {
+    if (!this.cancel()) this.listener.menu({ x: at.x, y: at.y });
+  }
+
+  abort(): void {
+    this.last = null;
+    this.show();
+  }
+
+  key(event: KeyboardEvent): boolean {
+    return event.key === "Escape" && this.cancel();
+  }
+
+  /** Forgets what was measured; whether there was something. */
+  cancel(): boolean {
+    const had = this.taken.length > 0;
+    this.taken = [];
+    this.show();
+    return had;
+  }
+
+  /** With another tool. */
+  leave(): void {
+    this.last = null;
+    this.cancel();
+  }
+
+  /** What was measured may be elsewhere, or gone. */
+  designChanged(): void {
+    this.cancel();
+  }
+
+  /** What the pointer is on. */
+  private pointed(): Taken | null {
+    const { last, stage } = this;
+    if (!last || stage.playing || stage.tool !== "measure") return null;
+    const place = {
+      design: stage.design,
+      projection: stage.projection,
+      stencil: stage.stencils.empty ? null : stage.stencils,
+      construction: stage.construction.all,
+      plane: null,
+      without: NOTHING,
+    };
+    const target = snap(place, { ...stage.snap, kinds: THERE }, last.x, last.y);
+    return target && { kind: target.kind, at: target.at, ...this.extent(target) };
+  }
+
+  /** An edge and a construction line are measured as a whole, anything else is a place. */
+  private extent({ kind, at, edge, line }: SnapTarget): MeasuredThing {
+    const row = kind === "edge" && edge !== undefined ? this.stage.design.edgeRow(edge) : undefined;
+    const whole = row === undefined ? line : this.stage.design.segment(row);
+    return whole ? { from: whole[0], to: whole[1] } : { from: at, to: at };
+  }
+
+  private show(): void {
+    const { stage, taken } = this;
+    const pointed = this.pointed();
+    const { acted } = stage.theme;
+    const signs = [...taken, ...(pointed ? [pointed] : [])].map(
+      ({ kind, at }): Sign => ({ at, shape: SNAP_SHAPES[kind], colour: acted, radius: 8.5 }),
+    );
+    const lines = [...taken, ...(pointed ? [pointed] : [])]
+      .filter(({ from, to }) => from !== to)
+      .map(({ from, to }) => ({ from, to, look: { colour: acted } }));
+    stage.mark("measure", signs, lines);
+    const [first] = taken;
+    const other = taken.length === 1 && first && pointed && !areSame(first, pointed) ? [pointed] : [];
+    const things = [...taken, ...other];
+    const told = things.map(({ from, to }) => [...from, ...to].join()).join(";");
+    if (told !== this.told) this.listener.measuring(things.map(({ from, to }) => ({ from, to })));
+    this.told = told;
+    const key = pointed ? `${pointed.kind} ${pointed.at.join()}` : "";
+    if (key === this.hovered) return;
+    this.hovered = key;
+    const seen = pointed && stage.projection.seen(pointed.at);
+    this.listener.hovered(
+      pointed && seen ? { kind: "snap", snap: pointed.kind, at: pointed.at, x: seen.x, y: seen.y } : null,
+    );
+  }
+}
