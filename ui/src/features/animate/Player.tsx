@@ -92,7 +92,7 @@ export function Player() {
           </div>
         ))}
       </fieldset>
-      <div className="row">
+      <div className="row animate-plays">
         <span className="grow muted small">plays in {time(screenSeconds(seconds, 0, speeds))}</span>
         {played && !live && (
           <Button kind="link" onClick={showDesignAgain}>

@@ -1,6 +1,7 @@
 import { useEffect, useRef, useState } from "react";
 import type { DiagnosticReport } from "../../generated/responses";
 import { Button } from "../../shared/controls/Button";
+import { Either } from "../../shared/controls/Either";
 import { sentence } from "../../shared/figures/format";
 import { useUnit } from "../../shared/figures/unit";
 import { Mark } from "../../shared/lists/Mark";
@@ -117,7 +118,7 @@ export function GroupLine({ group }: { readonly group: Group }) {
             title={way?.title}
             onClick={() => (folds ? setOpen(!open) : way ? way.go() : void show(reports))}
           >
-            {folds && open ? "Close" : action}
+            {folds ? <Either shown={open ? "Close" : action} other={open ? action : "Close"} /> : action}
           </Button>
         </div>
       )}

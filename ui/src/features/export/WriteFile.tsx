@@ -57,7 +57,7 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
   const arrived = preview?.format === format.id;
   // biome-ignore lint/correctness/useExhaustiveDependencies: a preview that arrives moves it
   useEffect(() => {
-    // It may come below what is seen of the panel, and a preview that arrives after it moves it down again.
+    // It may come beside what is seen of the panel, and a preview that arrives after it moves it down.
     if (written && written !== before) void answer.current?.scrollIntoView({ block: "nearest" });
   }, [written, before, arrived]);
   return (
@@ -96,17 +96,7 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
           </ul>
         </div>
       )}
-      <div className="row end">
-        {isPrinted(format) && (
-          <Button icon="shown" why={refused?.message ?? null} onClick={() => setPreviewed(true)}>
-            Print preview…
-          </Button>
-        )}
-        <Button kind="primary" why={why} onClick={() => void (path === "" ? browse(true) : go(path, path === agreed))}>
-          {path === "" ? "Write…" : "Write"}
-        </Button>
-      </div>
-      {previewed && <PrintPreview format={format} onClose={() => setPreviewed(false)} />}
+      {/* Above the button, which stays under the pointer when the answer comes. */}
       <div ref={answer} aria-live="polite">
         {done.map((file) => (
           <p key={file} className="written">
@@ -120,6 +110,17 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
           </ul>
         )}
       </div>
+      <div className="row end">
+        {isPrinted(format) && (
+          <Button icon="shown" why={refused?.message ?? null} onClick={() => setPreviewed(true)}>
+            Print preview…
+          </Button>
+        )}
+        <Button kind="primary" why={why} onClick={() => void (path === "" ? browse(true) : go(path, path === agreed))}>
+          {path === "" ? "Write…" : "Write"}
+        </Button>
+      </div>
+      {previewed && <PrintPreview format={format} onClose={() => setPreviewed(false)} />}
     </div>
   );
 }

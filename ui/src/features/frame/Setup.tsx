@@ -1,5 +1,6 @@
 import { useEffect } from "react";
 import { Button } from "../../shared/controls/Button";
+import { Either } from "../../shared/controls/Either";
 import { Field } from "../../shared/controls/Field";
 import { Checkbox, Segmented, Select } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
@@ -117,7 +118,11 @@ function Supports() {
         title="Click vertices in the view; click again to let go"
         onClick={() => setPicking(!picking)}
       >
-        {picking ? "Click vertices…" : "Pick in the view"}
+        {picking ? (
+          <Either shown="Click vertices…" other="Pick in the view" />
+        ) : (
+          <Either shown="Pick in the view" other="Click vertices…" />
+        )}
       </Button>
       <Button
         small

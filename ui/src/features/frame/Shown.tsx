@@ -1,4 +1,5 @@
 import { Button } from "../../shared/controls/Button";
+import { Either } from "../../shared/controls/Either";
 import { Segmented, Slider } from "../../shared/controls/inputs";
 import { movedOf, usualScale } from "../../state/frame/figures";
 import { useFrame } from "../../state/frame/frame";
@@ -109,7 +110,7 @@ export function Shown() {
                 why={view?.kind === "mode" ? null : "Choose a mode first."}
                 onClick={toggleSwing}
               >
-                {swinging ? "Hold" : "Swing"}
+                <Either shown={swinging ? "Hold" : "Swing"} other={swinging ? "Swing" : "Hold"} />
               </Button>
             </div>
           </>

@@ -1,5 +1,6 @@
 import { useState } from "react";
 import { Button } from "../../shared/controls/Button";
+import { Either } from "../../shared/controls/Either";
 import { Mark } from "../../shared/lists/Mark";
 import type { Unfinished } from "../../state/machine/operator";
 import { order } from "../../state/machine/run";
@@ -28,18 +29,21 @@ export function UnfinishedCard({
       <p className="muted">
         {leaving ? "Once it is given up, it cannot be resumed. Nothing moves for it." : unfinishedPhrase(unfinished)}
       </p>
-      <div className="row end">
+      <div className={resumable ? "row end" : "row end turned"}>
         {leaving ? (
           <>
-            <Button onClick={() => setLeaving(false)}>Keep it</Button>
+            {/* Where the button was that was clicked, so that a second click gives nothing up. */}
+            <Button onClick={() => setLeaving(false)}>
+              <Either shown="Keep it" other="Give up…" />
+            </Button>
             <Button kind="danger" why={all.abandon} onClick={() => void order({ order: "abandon", job_hash, wire })}>
-              Give it up
+              <Either shown="Give it up" other="Resume…" />
             </Button>
           </>
         ) : (
           <>
             <Button why={all.abandon} onClick={() => setLeaving(true)}>
-              Give up…
+              <Either shown="Give up…" other="Keep it" />
             </Button>
             {resumable && (
               <Button
@@ -47,7 +51,7 @@ export function UnfinishedCard({
                 why={all.resumeRun}
                 onClick={() => void order({ order: "resume-run", job_hash, wire, accept_settings: accept })}
               >
-                Resume…
+                <Either shown="Resume…" other="Give it up" />
               </Button>
             )}
           </>

@@ -1,4 +1,5 @@
 import { Button } from "../../shared/controls/Button";
+import { Either } from "../../shared/controls/Either";
 import { useUnit } from "../../shared/figures/unit";
 import { Guard } from "../../shared/Guard";
 import { MenuBar } from "../../shared/layers/Menu";
@@ -59,7 +60,7 @@ export function TopBar() {
           title={unit === "mm" ? "Show lengths in inches" : "Show lengths in millimetres"}
           onClick={() => run("units")}
         >
-          {unit === "mm" ? "mm" : "in"}
+          {unit === "mm" ? <Either shown="mm" other="in" /> : <Either shown="in" other="mm" />}
         </Button>
       </div>
       <StopButton />

@@ -6,6 +6,8 @@ import { useMachines } from "../../../state/machine/machines";
 import { Compared } from "./Compared";
 import { versionsOf } from "./words";
 
+const TAKEN = ". The design has it.";
+
 /** What calibrations made, and what they were made from: compared with the machine of the design, and taken for it. */
 export function Versions() {
   const { versions, busy } = useCalibration();
@@ -30,11 +32,12 @@ export function Versions() {
                   <p className="selectable">
                     {name} with {material}
                   </p>
-                  <p className="muted small">
+                  {/* As many lines with and without its last sentence: the buttons below stay where they are. */}
+                  <p className="muted small version-said" data-room={taken ? undefined : TAKEN}>
                     {calibrated
                       ? `Calibrated ${calibrated.date} from ${count(calibrated.readings, "reading")}, made from ${calibrated.machine}`
                       : "Not calibrated"}
-                    {taken && ". The design has it."}
+                    {taken && TAKEN}
                   </p>
                 </div>
                 <Button small why={why} aria-label={`Compare ${id}`} onClick={() => void compareVersions(id)}>

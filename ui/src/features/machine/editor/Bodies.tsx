@@ -65,6 +65,24 @@ export function Bodies({ why }: { readonly why: string | null }) {
     <div className="editor-columns bodies-columns">
       <div className="bodies-side">
         <Scrolls className="bodies-scroll" label="Bodies">
+          {/* Above what it makes longer: it stays under the pointer. */}
+          {!why && (
+            <div className="row wrap">
+              <Button small icon="plus" onClick={() => add("box")}>
+                Box
+              </Button>
+              <Button small icon="plus" onClick={() => add("cylinder")}>
+                Cylinder
+              </Button>
+              <span className="grow" />
+              {own && removed.length > 0 && <span className="muted small">{removed.length} removed</span>}
+              {own && (
+                <Button kind="link" onClick={() => void takeBack(SHAPES)}>
+                  Take back all bodies
+                </Button>
+              )}
+            </div>
+          )}
           <ul className="bodies">
             {shapes.map((shape, at) => {
               const state = stateOf(shape, parents);
@@ -87,23 +105,6 @@ export function Bodies({ why }: { readonly why: string | null }) {
             })}
           </ul>
           {shapes.length === 0 && <p className="muted">No bodies: nothing of this machine is checked for clearance.</p>}
-          {!why && (
-            <div className="row wrap">
-              <Button small icon="plus" onClick={() => add("box")}>
-                Box
-              </Button>
-              <Button small icon="plus" onClick={() => add("cylinder")}>
-                Cylinder
-              </Button>
-              <span className="grow" />
-              {own && removed.length > 0 && <span className="muted small">{removed.length} removed</span>}
-              {own && (
-                <Button kind="link" onClick={() => void takeBack(SHAPES)}>
-                  Take back all bodies
-                </Button>
-              )}
-            </div>
-          )}
           {refused && (
             <p className="field-below wrong" role="alert">
               {refused}
