@@ -4,6 +4,7 @@ import { defineConfig } from "vitest/config";
 export default defineConfig({
   test: {
     include: ["{browser,installed,screenshots}/**/*.test.ts"],
+    setupFiles: ["support/each.ts"],
     fileParallelism: false,
     testTimeout: 120_000,
     hookTimeout: 120_000,
