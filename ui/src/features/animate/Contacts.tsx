@@ -1,4 +1,5 @@
 import { Button } from "../../shared/controls/Button";
+import { Either } from "../../shared/controls/Either";
 import { Checkbox } from "../../shared/controls/inputs";
 import { count } from "../../shared/figures/format";
 import { useUnit } from "../../shared/figures/unit";
@@ -81,7 +82,11 @@ function Avoid() {
   return (
     <div className="row wrap">
       <Button small why={mine ? "The search takes some seconds." : null} onClick={() => void avoidCollisions()}>
-        {mine ? "Searching…" : "Avoid collisions"}
+        {mine ? (
+          <Either shown="Searching…" other="Avoid collisions" />
+        ) : (
+          <Either shown="Avoid collisions" other="Searching…" />
+        )}
       </Button>
     </div>
   );

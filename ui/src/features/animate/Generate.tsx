@@ -1,4 +1,5 @@
 import { Button } from "../../shared/controls/Button";
+import { Either } from "../../shared/controls/Either";
 import { Line } from "../../shared/lists/Line";
 import { useDesign } from "../../state/design/design";
 import { makeProgram, useProgram, useStale } from "../../state/program/program";
@@ -42,7 +43,7 @@ export function Generate() {
             why={empty ? "Draw or open a design first." : asking ? "The program is being generated." : null}
             onClick={() => void makeProgram()}
           >
-            {made ? "Update" : "Generate"}
+            {made ? <Either shown="Update" other="Generate" /> : <Either shown="Generate" other="Update" />}
           </Button>
         </div>
       )}

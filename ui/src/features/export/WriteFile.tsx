@@ -2,6 +2,7 @@ import { useEffect, useRef, useState } from "react";
 import type { FormatEntry } from "../../generated/responses";
 import { platform, Refused } from "../../platform";
 import { Button } from "../../shared/controls/Button";
+import { Either } from "../../shared/controls/Either";
 import { Field } from "../../shared/controls/Field";
 import { TextInput } from "../../shared/controls/inputs";
 import { Line } from "../../shared/lists/Line";
@@ -117,7 +118,7 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
           </Button>
         )}
         <Button kind="primary" why={why} onClick={() => void (path === "" ? browse(true) : go(path, path === agreed))}>
-          {path === "" ? "Write…" : "Write"}
+          {path === "" ? <Either shown="Write…" other="Write" /> : <Either shown="Write" other="Write…" />}
         </Button>
       </div>
       {previewed && <PrintPreview format={format} onClose={() => setPreviewed(false)} />}

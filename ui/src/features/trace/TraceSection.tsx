@@ -1,6 +1,7 @@
 import { useEffect } from "react";
 import type { SnapKind } from "../../scene/interface";
 import { Button } from "../../shared/controls/Button";
+import { Either } from "../../shared/controls/Either";
 import { Field } from "../../shared/controls/Field";
 import { Checkbox, Segmented, Slider } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
@@ -98,7 +99,7 @@ function Stencils({ none }: { readonly none: string | null }) {
           icon={stencilsShown ? "shown" : "hidden"}
           onClick={() => useView.setState({ stencilsShown: !stencilsShown })}
         >
-          {stencilsShown ? "Hide all" : "Show all"}
+          {stencilsShown ? <Either shown="Hide all" other="Show all" /> : <Either shown="Show all" other="Hide all" />}
         </Button>
         <Button onClick={() => useUi.getState().showSection("parts")}>Place or remove…</Button>
       </div>

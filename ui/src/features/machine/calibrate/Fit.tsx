@@ -23,19 +23,15 @@ export function Fit() {
             label="Springback as"
             value={shape}
             choices={[
-              {
-                value: "better",
-                label:
-                  shape === "better" && report.shape
-                    ? `Better: ${report.shape === "curve" ? "curve" : "one angle"}`
-                    : "Better",
-              },
+              { value: "better", label: "Better" },
               { value: "constant", label: "One angle" },
               { value: "curve", label: "Curve" },
             ]}
             onChoose={(chosen) => void chooseShape(chosen)}
           />
           <span className="muted small">
+            {/* Beside the choice, which keeps its width. */}
+            {shape === "better" && report.shape && (report.shape === "curve" ? "a curve: " : "one angle: ")}
             for an angle that it has not seen it is {off(bends.leave_one_out.rms, "deg", unit)} off
             {report.other_shape &&
               `, ${off(report.other_shape.rms, "deg", unit)} as ${report.shape === "curve" ? "one angle" : "a curve"}`}
