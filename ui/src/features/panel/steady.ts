@@ -1,7 +1,13 @@
 import { type RefObject, useEffect } from "react";
 
 /** What is held, of what the pointer is on: the first that is still there. A row stays where one of its buttons becomes another. */
-const HELD = ["button, input, select, textarea, label, summary", ".row", ".part", ".section"];
+const HELD = [
+  "button, input, select, textarea, label, summary",
+  ".row",
+  "[role=listbox], [role=list], [role=table], ul, table, fieldset",
+  ".part",
+  ".section",
+];
 
 interface Held {
   readonly element: Element;
