@@ -33,7 +33,7 @@ fn a_driver_for_the_next_version_of_the_boundary_is_refused_with_advice() {
     let newer = driver_of_major("WIREBEND_ABI_MAJOR + 1", &home.path("loaded"));
     let library = home.compile("mine", "newer", &newer);
     let path = library.display().to_string();
-    let advice = "was built for version 2.0 of the driver interface, this program speaks 1.6\n  help: update the program\n";
+    let advice = "was built for version 2.0 of the driver interface, this program speaks 1.7\n  help: update the program\n";
     let said = home.run(&["driver", "check", &path]).ended(5).err;
     assert!(said.contains(advice) && said.contains(&library_name("newer")), "{said}");
     let told = home.run(&["driver", "check", &path, "--json"]).ended(5).json();
