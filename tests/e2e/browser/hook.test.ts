@@ -77,10 +77,11 @@ it("answers a radius that the machine cannot make with the nearest one", async (
   await editor.page.keyboard.press("a");
   const form = editor.section("edit").locator("#operation-fillet");
   await form.getByLabel("Radius").fill("10");
+  await form.getByRole("button", { name: /^Use 3\d\.\d mm$/ }).waitFor();
   await form.getByLabel("Radius").press("Enter");
-  await editor.messages
-    .filter({ hasText: "the shortest that can be made there" })
-    .filter({ hasText: /Use a radius of 3\d\.\d mm, the nearest that can be made\./ })
-    .waitFor();
   expect((await editor.design()).edges).toHaveLength(3);
+  // Whoever asks in spite of that is told the same.
+  const { vertices } = await editor.design();
+  const request = { edit: "fillet", vertices: vertices.slice(1, 3).map(({ id }) => id), radius_mm: 10, step_deg: 15 } as const;
+  await expect(editor.loopback.ask("edit", { request })).rejects.toThrow("the shortest that can be made there");
 });
