@@ -106,13 +106,16 @@ it("places a vertex off the stencil by half the wire, or by what is typed, on ea
   expect(surface?.[1]).toBeCloseTo(-4, 4);
   expect(surface?.[2]).toBeCloseTo(INCH, 0);
   // Beside the corner that it was placed by the vertex is out of reach: the corner stands for it.
+  // While a strand is drawn a digit is a length.
+  await editor.page.keyboard.press("Escape");
+  const aside = await Sight.from(editor.page, "right", [...CORNERS, [INCH, -4, size + 4]]);
   for (const corner of [
-    [0, 0, 0],
-    [size, 0, 0],
+    [size, size, 0],
+    [size, size, size],
   ] as const)
-    await click(sight.at(corner), "Corner of the stencil");
+    await click(aside.at(corner), "Corner of the stencil");
   await until(async () => (await editor.design()).vertices.length).toBe(8);
-  await click(sight.at([0, 0, 0]), "Vertex");
+  await click(aside.at([size, size, 0]), "Vertex");
   await trace().getByText("Click on the stencil to begin a strand.").waitFor();
   expect((await editor.design()).vertices).toHaveLength(8);
   while ((await editor.design()).vertices.length > 4) await editor.page.keyboard.press("Control+z");
