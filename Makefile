@@ -263,15 +263,11 @@ fmt-check: ui/node_modules/.package-lock.json
 lint: ui/dist/index.html ## clippy on everything
 	cargo clippy --workspace --all-targets -- -D warnings
 
-# What was just built goes to the disk first: tests keep journals, and would wait for it. Machines wait most of their time, and their
-# seconds are real: what only computes takes what they leave, and says what it has to say after them.
+# What was just built goes to the disk first: tests keep journals, and would wait for it.
 .PHONY: unit doc-test
 unit: check-nextest ui/dist/index.html
 	sync
-	@cargo nextest run $(ALL) --profile alone; alone=$$?; \
-	nice -n 19 cargo nextest run $(ALL) --profile computing > target/computing.log 2>&1 & computing=$$!; \
-	cargo nextest run $(ALL) --profile machines; machines=$$?; \
-	wait $$computing; computing=$$?; cat target/computing.log; exit $$((alone | machines | computing))
+	cargo nextest run $(ALL)
 # The examples of the documentation, and its pages with what is built already.
 doc-test: ui/dist/index.html
 	RUSTDOC=$(CURDIR)/xtask/rustdoc.sh PAGES=$(CURDIR)/target/doc cargo test --quiet $(ALL) --doc
