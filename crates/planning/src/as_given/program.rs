@@ -46,6 +46,7 @@ pub fn job_of_file(
     let opened = read(name, bytes).map_err(|error| match error {
         // What is nothing else is no job either.
         PlanningError::Read(ReadError::UnknownFormat { .. }) => not_a_job(),
+        PlanningError::Read(ReadError::GCode { .. }) => PlanningError::GCodeToRun { name: name.to_owned() },
         error => error,
     })?;
     if opened.program.is_none() || opened.format == Format::Moves {
@@ -172,6 +173,14 @@ mod tests {
         assert_eq!(vertices(&path.map(Point3::from), 1.5), [0, 1, 2, 3, 0]);
         let apart = [[0.0, 0.0, 0.0], [30.0, 0.0, 0.0], [30.0, 30.0, 0.0], [0.0, 1.6, 0.0]];
         assert_eq!(vertices(&apart.map(Point3::from), 1.5), [0, 1, 2, 3]);
+    }
+
+    #[test]
+    fn g_code_that_is_to_be_run_is_told_from_what_is_no_program() {
+        let app = Installation::new(&[]).unwrap();
+        let of = ProgramMachine { machine: Some("grbl-bender"), material: None };
+        let said = |bytes: &[u8]| job_of_file(&app, "house.nc", bytes, of).unwrap_err().to_string();
+        assert!(said(b"G21\nG90\nG1 X10 F600\n").contains("run the job that it was written from"));
     }
 
     /// It is run as it was exported: what the checks say of it is what they say of the design.

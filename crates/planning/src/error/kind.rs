@@ -59,6 +59,7 @@ impl PlanningError {
             | Self::Settled { .. }
             | Self::ClosedWires { .. }
             | Self::NotAJob { .. }
+            | Self::GCodeToRun { .. }
             | Self::IsAJob { .. }
             | Self::Exists(_) => ErrorKind::Usage,
             Self::Read(_)
@@ -140,7 +141,7 @@ impl PlanningError {
             Self::ClosedWires { .. } => ErrorCode::ClosedWires,
             Self::StartWithoutEdge { .. } => ErrorCode::StartWithoutEdge,
             Self::DamagedJob { .. } => ErrorCode::DamagedJob,
-            Self::NotAJob { .. } => ErrorCode::NotAJob,
+            Self::NotAJob { .. } | Self::GCodeToRun { .. } => ErrorCode::NotAJob,
             Self::IsAJob { .. } => ErrorCode::IsAJob,
             Self::Unwritable { .. } => ErrorCode::Unwritable,
             Self::StageNotReached { .. } => ErrorCode::StageNotReached,

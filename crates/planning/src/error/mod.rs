@@ -222,6 +222,9 @@ pub enum PlanningError {
     /// Something else was given where a job is needed.
     #[error("{name} is not a job")]
     NotAJob { name: String },
+    /// G-code was to be run: what it bends is not read back, so that nothing could be checked.
+    #[error("{name} is G-code, which can be written but not read back: run the job that it was written from")]
+    GCodeToRun { name: String },
     /// A job was given where a design is needed.
     #[error("{name} is a job, which is planned already")]
     IsAJob { name: String },

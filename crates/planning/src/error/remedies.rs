@@ -78,7 +78,7 @@ impl PlanningError {
                 R::PlanForMachine { machine: None },
                 R::ChooseKnown { near: Vec::new(), known: known.clone() },
             ],
-            Self::NotAJob { .. } => vec![R::MakeJob],
+            Self::NotAJob { .. } | Self::GCodeToRun { .. } => vec![R::MakeJob],
             Self::IsAJob { .. } => vec![R::UseJob, R::UseDesign],
             Self::Compensated { .. } | Self::OtherCompensation { .. } => {
                 vec![R::ChooseMachineAndMaterial, R::TakeAsNominal]
