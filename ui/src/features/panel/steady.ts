@@ -4,7 +4,8 @@ import { type RefObject, useEffect } from "react";
 const HELD = [
   "button, input, select, textarea, label, summary",
   ".row",
-  "[role=listbox], [role=list], [role=table], ul, table, fieldset",
+  "[role=listbox], [role=list], [role=table], [role=log], ul, table, fieldset",
+  ".fold",
   ".part",
   ".section",
 ];
