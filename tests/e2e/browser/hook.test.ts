@@ -82,6 +82,11 @@ it("answers a radius that the machine cannot make with the nearest one", async (
   expect((await editor.design()).edges).toHaveLength(3);
   // Whoever asks in spite of that is told the same.
   const { vertices } = await editor.design();
-  const request = { edit: "fillet", vertices: vertices.slice(1, 3).map(({ id }) => id), radius_mm: 10, step_deg: 15 } as const;
+  const request = {
+    edit: "fillet",
+    vertices: vertices.slice(1, 3).map(({ id }) => id),
+    radius_mm: 10,
+    step_deg: 15,
+  } as const;
   await expect(editor.loopback.ask("edit", { request })).rejects.toThrow("the shortest that can be made there");
 });

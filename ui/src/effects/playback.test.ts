@@ -13,6 +13,7 @@ import {
   makeProgram,
   show,
   showLive,
+  showMade,
   simulate,
   usePlayback,
 } from "../state/program/program";
@@ -91,6 +92,16 @@ describe("playback", () => {
     expect(usePlayback.getState()).toMatchObject({ live: true, step: 1 / 12 });
     endLive();
     expect(usePlayback.getState().step).toBeCloseTo(1 / 12);
+  });
+
+  it("goes to the end with a wire that is made, and nowhere for a person who looks at another step", async () => {
+    await showLive(making(1, 0.98));
+    endLive();
+    showMade();
+    expect(usePlayback.getState().step).toBe(2);
+    await goTo(0);
+    showMade();
+    expect(usePlayback.getState().step).toBe(0);
   });
 
   it("does not show another design as the one that a machine bends, and says which design's wire it is", async () => {

@@ -6,7 +6,7 @@ import { errorText } from "../../platform/error_text";
 import { dismissAll, tell, told } from "../asking/problems";
 import { asking } from "../asking/work";
 import { ofDesign, useDesign } from "../design/design";
-import { endLive, showDoubt, showLive } from "../program/program";
+import { endLive, showDoubt, showLive, showMade } from "../program/program";
 import { useRunFile } from "../program/run_file";
 import { useUi } from "../window/ui";
 import { type ConsoleLine, withLines, withTyped } from "./console";
@@ -135,6 +135,7 @@ export function hearOperator(event: OperatorEvent): void {
       // The notes of a wire that was bent were shown on the way.
       if (event.wires.length === 0) for (const note of event.notes) tell("warning", errorText(note), note.code);
       useRun.setState({ ended: event.wires.at(-1) ?? null });
+      if (event.wires.at(-1)?.outcome === "made") showMade();
       break;
     case "stopped":
       // Among the lines, when it was pressed: what the machine is sent for it is no line, and comes by the driver or by the program itself.

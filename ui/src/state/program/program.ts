@@ -285,6 +285,14 @@ export function endLive(): void {
   if (live || otherWire !== null) usePlayback.setState({ live: false, otherWire: null });
 }
 
+/** A wire was made to its end: what followed it goes there, too. The machine's last word of its place is of a moment before. */
+export function showMade(): void {
+  const { program, wire } = useProgram.getState();
+  const steps = program?.wires[wire]?.steps.length ?? 0;
+  const { played, playing, step } = usePlayback.getState();
+  if (played && !playing && step > steps - 1) usePlayback.setState({ step: steps });
+}
+
 /** The view goes back to the design as soon as that is another one: a person wants to see what they change. */
 export function leaveStaleProgram(): void {
   const { played, live } = usePlayback.getState();
