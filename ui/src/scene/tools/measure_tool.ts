@@ -3,20 +3,14 @@
 import { type Sign, SNAP_SHAPES } from "../drawing/symbols";
 import type { MeasuredThing, SceneListener, SnapKind } from "../interface";
 import type { Overlay } from "../layers/overlay";
-import { type SnapTarget, snap } from "../picking/snap";
+import { DEFAULT_SNAP, type SnapTarget, snap } from "../picking/snap";
 import type { Stage } from "../stage";
 import type { Place, ToolHandler } from "./pointer";
 
 /** All that is there, also what is not snapped to while something is drawn. */
-const THERE: ReadonlySet<SnapKind> = new Set([
-  "vertex",
-  "stencil-vertex",
-  "stencil-edge",
-  "construction",
-  "edge-middle",
-  "edge",
-  "surface",
-]);
+const THERE: ReadonlySet<SnapKind> = new Set(
+  [...DEFAULT_SNAP.kinds].filter((kind) => kind !== "angle" && kind !== "grid" && kind !== "plane"),
+);
 
 const NOTHING = { vertices: new Set<number>(), edges: new Set<number>() };
 
