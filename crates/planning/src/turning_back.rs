@@ -41,9 +41,10 @@ impl Opened {
     /// Refuses to turn back with one machine what was written for another.
     fn require_told_to(&self, setup: &Setup) -> Result<(), PlanningError> {
         let told_in = self.program.as_ref().and_then(|program| program.told_in);
-        let own = setup.machine.profile.export.native.as_deref();
+        let export = &setup.machine.profile.export;
+        let mut written = export.native.iter().chain(export.formats.iter().flatten());
         match told_in {
-            Some(format) if own != Some(format) => Err(PlanningError::FormatOfAnother {
+            Some(format) if !written.any(|known| known == format) => Err(PlanningError::FormatOfAnother {
                 format: format.to_owned(),
                 machine: setup.machine_id().to_owned(),
                 known: Vec::new(),
@@ -146,3 +147,30 @@ pub(crate) fn corner_to_corner(told: &[Step], setup: &Setup) -> Vec<Step> {
 
 /// So much may a feed of a program with two decimals be off.
 const ROUNDED_MM: f64 = 0.01;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::DesignInput;
+    use crate::program::ProgramKind;
+
+    /// With the springback of another machine 90° would become 66.5°, and nothing would be wrong with that.
+    #[test]
+    fn what_was_written_for_one_machine_is_not_turned_back_with_another() {
+        let app = Installation::new(&[]).unwrap();
+        let script = include_bytes!("../../../tests/golden/house/pensa.txt");
+        let designed = |machine: &str, program: Option<ProgramKind>| {
+            let input = DesignInput { program, ..DesignInput::file("house.dsw".into()) };
+            let opened = input.open_bytes("house.dsw".to_owned(), script, None).unwrap();
+            let choices = PlanChoices { machine: Some(machine.to_owned()), ..PlanChoices::default() };
+            app.designed(opened, &choices)
+        };
+        let refused = designed("wirebend-kit", None).err().unwrap();
+        assert!(matches!(refused, PlanningError::FormatOfAnother { .. }), "{refused}");
+        let design = designed("pensa-diwire-pro", None).unwrap().document.wireframe;
+        let length: f64 = design.edges().map(|(id, _)| design.edge_length(id).mm()).sum();
+        assert!((length - 292.0).abs() < 0.01, "{length}");
+        // Whoever says what it is knows better.
+        assert!(designed("wirebend-kit", Some(ProgramKind::Nominal)).is_ok());
+    }
+}
