@@ -223,7 +223,8 @@ impl Head {
     /// Before a line of the console, which may turn the head by as much as its cable allows.
     pub fn may_be_anywhere(&mut self) -> Result<HeadPlace, SessionError> {
         let before = self.place;
-        if before != HeadPlace::Unsaid {
+        // Where nobody keeps the account, nobody is asked either.
+        if self.keeper.is_some() {
             let (least, most) = before.range();
             self.may_be(HeadPlace::hull([least, most, -CABLE_DEG, CABLE_DEG]))?;
             self.before_command = Some(before);
@@ -277,7 +278,11 @@ impl Head {
     /// The machine stands, and has said where.
     fn stands(&mut self) {
         self.ahead.clear();
-        (self.jogged, self.before_command) = (None, None);
+        self.jogged = None;
+        if self.before_command.take().is_some() {
+            // It may count from elsewhere now.
+            (self.counted, self.base) = (false, None);
+        }
         if let (HeadPlace::Between(..), Some(reported), Some(base)) = (self.place, self.reported, self.base) {
             self.is(HeadPlace::At(reported + base));
         }

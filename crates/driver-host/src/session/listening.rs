@@ -64,7 +64,9 @@ impl Session {
             }
             Event::Position(position) => self.position = Some(*position),
             Event::Speed { percent } => self.speed_percent = *percent,
-            Event::Jogged | Event::ConsoleDone { .. } => self.guard.rests(),
+            Event::Jogged => self.guard.rests(),
+            // One that comes late says nothing of what moves now.
+            Event::ConsoleDone { .. } if self.phase == Phase::Commanded => self.guard.rests(),
             Event::Finished if believed => self.guard.rests(),
             Event::Stopped { .. } => self.guard.confirm(),
             // It no longer waits for the stop.
