@@ -98,7 +98,6 @@ impl PlaneName {
     }
 }
 
-/// A turn about an axis through a point; quarter turns come out whole.
 impl AxisName {
     pub(super) fn direction(self) -> Unit<Vector3<f64>> {
         match self {
@@ -109,6 +108,7 @@ impl AxisName {
     }
 }
 
+/// A turn about an axis through a point; quarter turns come out whole.
 fn rotation(axis: AxisName, through: Point3<f64>, deg: f64) -> Result<Affine3<f64>, EditorError> {
     if !deg.is_finite() {
         return Err(EditorError::Turn(deg));
