@@ -72,7 +72,9 @@ function Cube() {
     event.currentTarget.setPointerCapture(event.pointerId);
     pressed.current = { x: event.clientX, y: event.clientY, zone, dragged: false };
   };
-  const move = ({ clientX, clientY }: PointerEvent) => {
+  const move = ({ clientX, clientY, buttons }: PointerEvent) => {
+    // The face that holds the pointer is gone once it is seen from its edge: the button may be let go elsewhere.
+    if (buttons === 0) pressed.current = null;
     const from = pressed.current;
     if (!from) return;
     const [dx, dy] = [clientX - from.x, clientY - from.y];

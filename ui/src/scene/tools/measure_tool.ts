@@ -52,9 +52,9 @@ export class MeasureTool implements ToolHandler {
   release(at: Place): void {
     this.last = at;
     const thing = this.pointed();
-    const [first] = this.taken;
+    const last = this.taken.at(-1);
     // The second click of a double one asks for nothing.
-    if (thing && !(this.taken.length === 1 && first && areSame(first, thing)))
+    if (thing && !(last && areSame(last, thing)))
       this.taken = this.taken.length === 1 ? [...this.taken, thing] : [thing];
     this.show();
   }

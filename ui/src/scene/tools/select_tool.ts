@@ -320,7 +320,8 @@ export class SelectTool implements ToolHandler {
         grab instanceof Turn
           ? listener.stencilTurned(stencil, grab.axis, grab.deg)
           : listener.stencilMoved(stencil, grab.by);
-      void placed.finally(() => this.stage.holdStencil(null));
+      // It may be in the hand again by then.
+      void placed.finally(() => this.stencil === null && this.stage.holdStencil(null));
     } else if (grab instanceof Turn) {
       this.listener.turned([...grab.from.keys()], grab.axis, grab.centre, grab.deg);
     } else if (length(grab.by) > 0) this.listener.dropped(grab.moved);
