@@ -54,9 +54,13 @@ const outermost: Place[] = [0, HIGH].flatMap((z) => RING.map((eighth) => rim(eig
 
 /** Clicks on what is there, once it is shown that it would be taken. */
 async function take(place: { x: number; y: number }, snap: string): Promise<void> {
-  await editor.page.mouse.move(place.x - 3, place.y - 2);
-  await editor.page.mouse.move(place.x, place.y);
-  await editor.page.locator(".hover-card", { hasText: snap }).waitFor();
+  const card = editor.page.locator(".hover-card", { hasText: snap });
+  // A view that was still turning has shown what lay there before.
+  await until(async () => {
+    await editor.page.mouse.move(place.x - 3, place.y - 2);
+    await editor.page.mouse.move(place.x, place.y);
+    return card.isVisible();
+  }).toBe(true);
   editor.handled += 1;
   await editor.page.mouse.click(place.x, place.y);
 }
