@@ -194,3 +194,31 @@ fn what_a_person_reads_as_zero_is_zero() {
     assert!(HeadPlace::At(0.04).is_zero() && HeadPlace::At(-0.04).is_zero());
     assert!(!HeadPlace::At(0.06).is_zero() && !HeadPlace::Between(-0.01, 0.01).is_zero());
 }
+
+/// What a machine reports after a line of the console may count from elsewhere.
+#[test]
+fn after_a_command_the_head_may_be_anywhere_unless_the_driver_says_that_nothing_moved() {
+    let done = |moved| Event::ConsoleDone { homed: false, moved };
+    let anywhere = HeadPlace::Between(-CABLE_DEG, CABLE_DEG);
+    for before in [HeadPlace::At(20.0), HeadPlace::Unsaid] {
+        for (events, after) in [
+            (vec![done(false)], before),
+            (vec![position(5.0), done(true)], anywhere),
+            (vec![position(5.0), STOPPED], anywhere),
+        ] {
+            let (mut head, disk) = head(HeadBy::Kept, before);
+            head.may_be_anywhere().unwrap();
+            assert_eq!(disk.last(), anywhere, "on the disk before the line is sent");
+            hears(&mut head, &events);
+            assert_eq!((head.place, disk.last()), (after, after), "{before:?} {events:?}");
+        }
+    }
+}
+
+#[test]
+fn a_command_changes_nothing_of_a_head_that_nobody_keeps_account_of() {
+    let mut head = Head { place: HeadPlace::At(20.0), ..Head::default() };
+    head.may_be_anywhere().unwrap();
+    hears(&mut head, &[Event::ConsoleDone { homed: false, moved: true }]);
+    assert_eq!(head.place, HeadPlace::At(20.0));
+}
