@@ -20,8 +20,8 @@ use crate::program::ProgramKind;
 use crate::turning_back::corner_to_corner;
 use crate::{Installation, PlanningError, text};
 
-/// A feed that stands for none at all, mm: two bends at one place have their directions by it. More than vertices are welded at,
-/// and too small to see.
+/// A feed that stands for none at all, mm: two bends at one place have their directions by it. Too small
+/// to see; its ends are two vertices all the same.
 const HAIR_MM: f64 = 0.002;
 
 /// For which machine and wire a program is, which it does not say itself.
