@@ -58,7 +58,7 @@ pub enum Call {
     /// Passes on a line that a person has typed, if it is one that the driver lets pass. Only while the machine stands and no wire is
     /// armed. Reply: `{}`; then `console` for the line and each line of the answer, and `console-done` or `fault`. Since 1.7.
     Console {
-        /// The line, without its end: see [`ConsoleLine`].
+        /// The line, without its end: see [`ConsoleLine`](crate::ConsoleLine).
         #[schemars(length(min = 1, max = 256), pattern(r"^[^\p{Cc}]+$"))]
         line: String,
         /// A person has confirmed that the machine may move or be changed by it. Without it the driver takes questions alone, which
