@@ -44,7 +44,8 @@ extern "C" {
    and one key more, "reference" of "connected": "machine" (the default) or "person". 1.5 has the call and the event "speed",
    and the key "dry" of "jog", for drivers with the capabilities "speed" and "dry-run" alone. 1.6 has the
    capability "before-zero": "approach_deg" and "bend_deg" of a step may have one sign. 1.7 has the call "console" and the event
-   "console-done", for drivers with the capability "console" alone. docs/drivers.md has all of them. */
+   "console-done", for drivers with the capability "console" alone, the call and the event "cut" and the key "cutter_mm" of
+   "limits", for those with the capability "cut". docs/drivers.md has all of them. */
 #define WIREBEND_ABI_MINOR 7u
 
 /* What a function returns. */

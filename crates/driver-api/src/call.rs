@@ -66,6 +66,10 @@ pub enum Call {
         #[serde(default)]
         may_change: bool,
     },
+    /// Cuts off what was bent: the wire is fed to the cutter ([`Limits::cutter_mm`](crate::Limits::cutter_mm)), cut, and brought back, so
+    /// that its new tip is where a wire begins. Only while the machine stands, homed, and no wire is armed. Reply: `{}`; then `cut` or
+    /// `fault`. Since 1.7.
+    Cut,
     /// Stops at once. Reply: `{}`; then `stopped`. Always allowed once connected.
     Stop,
     /// Writes the driver's settings to the machine, for good. Reply: `{}`; then `settings-written` or `fault`.
@@ -90,6 +94,7 @@ pub(crate) enum CallName {
     Resume,
     Speed,
     Console,
+    Cut,
     Stop,
     WriteSettings,
 }

@@ -58,6 +58,8 @@ pub enum Capability {
     BeforeZero,
     /// Passes on lines that a person types: see [`Call::Console`](crate::Call::Console). Since 1.7.
     Console,
+    /// Cuts off what was bent, on a machine that has a cutter: see [`Call::Cut`](crate::Call::Cut). Since 1.7.
+    Cut,
     /// Something of a later minor version, which this one does not know.
     #[serde(other)]
     #[schemars(skip)]

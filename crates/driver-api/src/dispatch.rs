@@ -105,6 +105,7 @@ impl<D: MachineDriver> Instance<D> {
                 let line = ConsoleLine::new(&line)?;
                 self.session()?.console(&line, may_change)?;
             }
+            Call::Cut => self.session()?.cut()?,
             Call::Pause => self.session()?.pause()?,
             Call::Resume => self.session()?.resume()?,
             Call::Stop => self.session()?.stop()?,
@@ -184,6 +185,7 @@ mod tests {
             Call::Jog(_) => CallName::Jog,
             Call::Speed { .. } => CallName::Speed,
             Call::Console { .. } => CallName::Console,
+            Call::Cut => CallName::Cut,
             Call::Pause => CallName::Pause,
             Call::Resume => CallName::Resume,
             Call::Stop => CallName::Stop,
@@ -206,6 +208,7 @@ mod tests {
             Call::Jog(Motion::new(Axis::Feed, 1.0)),
             Call::Speed { percent: 50 },
             Call::Console { line: "$$".to_owned(), may_change: false },
+            Call::Cut,
             Call::Pause,
             Call::Resume,
             Call::Stop,

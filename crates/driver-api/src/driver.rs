@@ -146,6 +146,14 @@ pub trait MachineSession {
         Err(DriverError::unsupported("take typed lines"))
     }
 
+    /// [`Call::Cut`](crate::Call::Cut).
+    ///
+    /// # Errors
+    /// [`DriverError`], such as where the settings have no cutter.
+    fn cut(&mut self) -> Result<(), DriverError> {
+        Err(DriverError::unsupported("cut the wire"))
+    }
+
     /// Writes the driver's settings to the machine, for good. Nothing moves.
     ///
     /// # Errors

@@ -109,6 +109,8 @@ pub enum Event {
         #[serde(default = "yes")]
         moved: bool,
     },
+    /// The wire is cut, its new tip is where a wire begins, and the machine is at rest. Since 1.7.
+    Cut,
     /// A line to or from the machine.
     Console {
         /// Which way it went.

@@ -15,6 +15,10 @@ pub struct Limits {
     /// How fast axes go. An axis is left out where the driver does not know.
     #[serde(default)]
     pub rates: Vec<AxisRate>,
+    /// Where the cutter is, on a machine that has one: how far its blade is, along the feed, from the place where the tip of a wire is as
+    /// that begins, mm. Below zero it is inside the machine, from where the wire comes. Since 1.7.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cutter_mm: Option<f64>,
     /// What the driver can and this machine cannot. Since 1.6.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub lacks: Vec<Lack>,

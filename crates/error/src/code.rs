@@ -144,6 +144,8 @@ codes! {
     NotOfStep = "not-of-step",
     NotPermitted = "not-permitted",
     NotSimulated = "not-simulated",
+    NoCutter = "no-cutter",
+    EndTooShort = "end-too-short",
     Nothing = "nothing",
     NothingBegun = "nothing-begun",
     NothingRecorded = "nothing-recorded",

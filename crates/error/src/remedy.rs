@@ -354,6 +354,8 @@ pub enum ErrorRemedy {
     },
     /// Measure how much of the step is done.
     MeasureStep,
+    /// Cut pieces off by hand.
+    CutByHand,
     /// Give up the wire, or bend it again from the start.
     BeginAnew,
     /// Set the folder of journals and records.

@@ -18,11 +18,14 @@ pub struct Repeat {
     /// Length of the wire that is loaded, mm: as long as it suffices, no new wire is asked for. Absent, it is not known.
     #[serde(default)]
     pub stock_mm: Option<f64>,
+    /// Whether the machine cuts each piece off. As long as the wire that is loaded suffices, the next one is bent without a question.
+    #[serde(default)]
+    pub cut: bool,
 }
 
 impl Default for Repeat {
     fn default() -> Self {
-        Self { pieces: 1, stock_mm: None }
+        Self { pieces: 1, stock_mm: None, cut: false }
     }
 }
 
@@ -46,6 +49,8 @@ pub struct Pieces {
     /// Whether something was bent before this wire, of which it has to be cut off.
     follows: bool,
     left_mm: Option<f64>,
+    /// Where the cutter of the machine is, mm, if it has one.
+    cutter_mm: Option<f64>,
 }
 
 impl Pieces {
@@ -67,7 +72,7 @@ impl Pieces {
     /// Refuses wire that does not suffice for one piece even when it is new.
     pub fn require_enough(&self, wire: &JobWire) -> Result<(), PlanningError> {
         match self.repeat.stock_mm {
-            Some(mm) if mm < wire.stock_mm => Err(PlanningError::Value {
+            Some(mm) if mm < self.needed_mm(wire) => Err(PlanningError::Value {
                 input: None,
                 name: "the length of the wire",
                 value: format!("{:.0}", Mm(mm)),
@@ -115,9 +120,29 @@ impl Pieces {
         }
     }
 
+    /// The machine is known.
+    pub const fn with_cutter(self, cutter_mm: Option<f64>) -> Self {
+        Self { cutter_mm, ..self }
+    }
+
+    /// Where the cutter is, mm, if each piece is cut off by it.
+    pub const fn cut_at_mm(&self) -> Option<f64> {
+        if self.repeat.cut { self.cutter_mm } else { None }
+    }
+
+    /// Whether the next wire is bent without a question.
+    pub fn goes_on(&self, wire: &JobWire) -> bool {
+        self.follows && self.cut_at_mm().is_some() && self.suffices(wire) == Some(true)
+    }
+
     /// Whether the wire that is left suffices; nothing where its length is not known.
     fn suffices(&self, wire: &JobWire) -> Option<bool> {
-        self.left_mm.map(|left| left >= wire.stock_mm)
+        self.left_mm.map(|left| left >= self.needed_mm(wire))
+    }
+
+    /// Wire that has to be there, mm, with what cannot be fed. To a cutter outside of the machine it is fed farther.
+    fn needed_mm(&self, wire: &JobWire) -> f64 {
+        wire.stock_mm + self.cut_at_mm().unwrap_or_default().max(0.0)
     }
 
     /// What to see to before a wire of a material is bent, of which so many mm are fed.
@@ -126,8 +151,17 @@ impl Pieces {
         if let Some(Piece { number, of }) = self.piece() {
             lines.push(format!("piece {number} of {of}"));
         }
-        if self.follows && (self.piece().is_some() || self.left_mm.is_some()) {
-            lines.push("cut off what was bent before and take it out: this machine does not cut".to_owned());
+        let follows = self.follows && (self.piece().is_some() || self.left_mm.is_some());
+        match (self.cut_at_mm(), self.cutter_mm) {
+            (Some(_), _) if self.follows => {}
+            (Some(mm), _) => lines.extend(cutter_lines(mm, self.repeat)),
+            (None, None) if follows => {
+                lines.push(
+                    "cut off what was bent before and take it out: this machine does not cut".to_owned(),
+                );
+            }
+            (None, _) if follows => lines.push("cut off what was bent before and take it out".to_owned()),
+            (None, _) => {}
         }
         match (self.suffices(wire), self.left_mm) {
             (Some(true), Some(left)) => lines.push(format!(
@@ -141,13 +175,13 @@ impl Pieces {
                 Mm(self.repeat.stock_mm.unwrap_or_default()),
                 material,
                 Mm(left),
-                Mm(wire.stock_mm.ceil())
+                Mm(self.needed_mm(wire).ceil())
             )),
             _ => lines.push(format!(
                 "load at least {:.0} of {} (includes {:.0} unusable tail)",
-                Mm(wire.stock_mm.ceil()),
+                Mm(self.needed_mm(wire).ceil()),
                 material,
-                Mm(wire.stock_mm - fed)
+                Mm(self.needed_mm(wire) - fed)
             )),
         }
         lines
@@ -156,6 +190,8 @@ impl Pieces {
     /// What is asked before a wire that follows another one.
     pub fn question(&self, wire: &JobWire) -> &'static str {
         match (self.suffices(wire), self.piece()) {
+            (Some(false), _) if self.cut_at_mm().is_some() => "Is new wire loaded, and may the machine move?",
+            _ if self.cut_at_mm().is_some() => "Is there wire for this one, and may the machine move?",
             (Some(true), _) => "Is what was bent before cut off and taken out, and may the machine move?",
             (Some(false), _) => {
                 "Is what was bent before cut off and taken out, is new wire loaded, and may the machine move?"
@@ -166,6 +202,29 @@ impl Pieces {
             (None, None) => "Is the wire before taken out and new wire in, and may the machine move?",
         }
     }
+}
+
+/// What a person has to know of a cutter before it cuts.
+fn cutter_lines(mm: f64, repeat: Repeat) -> Vec<String> {
+    let place = if mm < 0.0 {
+        format!("pulled back by {:.1}, to the cutter, and cut", Mm(-mm))
+    } else if mm > 0.0 {
+        format!("fed farther by {:.1}, to the cutter, and cut", Mm(mm))
+    } else {
+        "cut".to_owned()
+    };
+    let mut lines = vec![
+        format!("after each piece the wire is {place}"),
+        "keep hands away from the cutter, and see that what falls off it lies clear of the machine"
+            .to_owned(),
+    ];
+    if repeat.pieces > 1 && repeat.stock_mm.is_some() {
+        lines.push(
+            "the next piece begins without a question, as long as the wire that is loaded suffices"
+                .to_owned(),
+        );
+    }
+    lines
 }
 
 #[cfg(test)]
@@ -195,7 +254,7 @@ mod tests {
     #[test]
     fn new_wire_is_asked_for_when_the_tail_would_be_fed() {
         let wire = wire();
-        let mut pieces = Pieces::new(Repeat { pieces: 5, stock_mm: Some(1000.0) }).unwrap();
+        let mut pieces = Pieces::new(Repeat { pieces: 5, stock_mm: Some(1000.0), cut: false }).unwrap();
         let mut asked = Vec::new();
         while !pieces.are_done() {
             asked.push((pieces.suffices(&wire).unwrap(), pieces.left_mm.unwrap()));
@@ -213,10 +272,36 @@ mod tests {
     #[test]
     fn what_makes_no_sense_is_refused() {
         for (pieces, stock_mm) in [(0, None), (20_000, None), (2, Some(0.0)), (2, Some(f64::NAN))] {
-            assert!(Pieces::new(Repeat { pieces, stock_mm }).is_err(), "{pieces} {stock_mm:?}");
+            let repeat = Repeat { pieces, stock_mm, cut: false };
+            assert!(Pieces::new(repeat).is_err(), "{pieces} {stock_mm:?}");
         }
-        let short = Pieces::new(Repeat { pieces: 2, stock_mm: Some(599.0) }).unwrap();
+        let short = Pieces::new(Repeat { pieces: 2, stock_mm: Some(599.0), cut: false }).unwrap();
         assert!(short.require_enough(&wire()).is_err());
         assert_eq!(Pieces::new(Repeat::default()).unwrap().piece(), None);
+    }
+
+    /// Wire that is fed to a cutter is there, and a person is asked for new wire alone.
+    #[test]
+    fn with_a_cutter_the_next_piece_waits_for_wire_alone() {
+        let wire = wire();
+        let repeat = Repeat { pieces: 5, stock_mm: Some(1000.0), cut: true };
+        for (cutter_mm, asked) in [(-8.0, [3]), (0.0, [3]), (12.5, [2])] {
+            let mut pieces = Pieces::new(repeat).unwrap().with_cutter(Some(cutter_mm));
+            let mut found = Vec::new();
+            assert!(!pieces.goes_on(&wire), "the first one");
+            for n in 0..4 {
+                if n > 0 && !pieces.goes_on(&wire) {
+                    found.push(n);
+                    pieces.confirmed(&wire);
+                }
+                pieces.wire_made(200.0);
+                pieces.piece_made();
+            }
+            assert_eq!(found, asked, "{cutter_mm}");
+        }
+        let unknown = Repeat { stock_mm: None, ..repeat };
+        let mut pieces = Pieces::new(unknown).unwrap().with_cutter(Some(0.0));
+        pieces.wire_made(200.0);
+        assert!(!pieces.goes_on(&wire), "nobody knows whether there is wire");
     }
 }

@@ -43,6 +43,7 @@ impl MachineDriver for Grbl {
                 Capability::DryRun,
                 Capability::Speed,
                 Capability::Console,
+                Capability::Cut,
                 Capability::Home,
                 Capability::Pause,
                 Capability::Resume,

@@ -57,5 +57,6 @@ pub(crate) fn of(settings: &Settings) -> Limits {
     let rated = axes.iter().filter(|_| s.moves == Moves::FeedRate);
     let rate = |&(axis, _, _, per_min, key): &AxisSpec| AxisRate::new(axis, per_min / 60.0, &[key]);
     let rates = rated.map(rate).collect();
-    Limits { limits: axes.map(limit).into(), rates, ..Limits::default() }
+    let cutter_mm = (!s.cut.is_empty()).then_some(s.cutter_mm);
+    Limits { limits: axes.map(limit).into(), rates, cutter_mm, ..Limits::default() }
 }

@@ -55,6 +55,11 @@ pub struct Settings {
     /// How long to wait for the pin after it was put out or taken in, s.
     #[schemars(range(min = 0.0, max = 60.0))]
     pub pin_dwell_s: f64,
+    /// Lines that cut the wire and take the cutter back, such as M8, G4 P1, M9; none where the machine has no cutter.
+    pub cut: Vec<String>,
+    /// Where the cutter is: how far its blade is, along the feed, from the place where the tip of a wire is as that begins, mm. Below zero it is inside the machine, and the wire is pulled back to it.
+    #[schemars(range(min = -1000.0, max = 1000.0))]
+    pub cutter_mm: f64,
     /// Whether the bend axis goes back to where it was before the pin is taken in. Without it each bend counts from where the one before has ended.
     pub bend_returns: bool,
     /// The largest angle that is bent in one move, degrees; at least 0.1; 0 does every bend in one move.
@@ -102,6 +107,8 @@ impl Default for Settings {
             pin_out: vec!["M3 S1000".to_owned()],
             pin_in: vec!["M5".to_owned()],
             pin_dwell_s: 0.3,
+            cut: Vec::new(),
+            cutter_mm: 0.0,
             bend_returns: true,
             arc_step_deg: 0.0,
             arc_dwell_s: 0.0,

@@ -19,7 +19,7 @@ use conduct::{Conduct, conduct};
 use wirebend_driver_api::{ABI_MAJOR, ABI_MINOR, Buffer, Bytes, OK, REFUSED, Table};
 
 /// When it can misbehave.
-pub const WHEN: [&str; 19] = [
+pub const WHEN: [&str; 20] = [
     "entry",
     "describe",
     "open",
@@ -38,6 +38,7 @@ pub const WHEN: [&str; 19] = [
     "poll",
     "write-settings",
     "console",
+    "cut",
     "close",
 ];
 

@@ -2,7 +2,7 @@
 //! gone. Everything that it does is written down there, so that a step that is done twice is seen.
 //!
 //! Settings: `machine` (the file), `faults` (a list of `{"at": step, "how": …}`, of which each happens once),
-//! `alone` (how many of the steps that it has taken it does before it is connected to again), `holds_by_hand` (in which of
+//! `cutter_mm` and `jams_at` (where its cutter is, and at which cut that jams), `alone` (how many of the steps that it has taken it does before it is connected to again), `holds_by_hand` (in which of
 //! the moves by hand, from 1, it holds; homing is one) and `misset` (one of its settings is another until
 //! they are written).
 
@@ -30,6 +30,10 @@ pub(crate) struct Settings {
     misset: bool,
     /// What it says of the step that a stop has ended in its middle.
     cut: Option<Cut>,
+    /// Where its cutter is, mm; absent, it has none.
+    cutter_mm: Option<f64>,
+    /// The cut at which the cutter jams, from 1.
+    jams_at: u32,
 }
 
 /// How far a step is that was ended in its middle.
@@ -80,6 +84,9 @@ struct Kept {
     heads: Vec<f64>,
     /// Every step as it was sent.
     told: Vec<Step>,
+    /// How many pieces were cut off.
+    #[serde(default)]
+    cuts: u32,
 }
 
 /// Whether anything reaches the machine.
@@ -177,10 +184,27 @@ impl Machine {
                 }
                 self.events.push_back(Event::Stopped { homed: false });
             }
+            Call::Limits => {
+                let limits = Limits { cutter_mm: self.settings.cutter_mm, ..Limits::default() };
+                return Ok(serde_json::to_value(limits).unwrap_or_default());
+            }
+            Call::Cut => self.cut(),
             Call::Disconnect => {}
             _ => return Err(DriverError::unsupported("do that")),
         }
         Ok(json!({}))
+    }
+
+    fn cut(&mut self) {
+        self.kept.cuts += 1;
+        self.save();
+        if self.kept.cuts == self.settings.jams_at {
+            let error =
+                DriverError::new("jammed", "the cutter has not come back", "free it, then home the machine");
+            self.events.push_back(Event::Fault { error, in_doubt: None, disconnected: false });
+        } else {
+            self.events.push_back(Event::Cut);
+        }
     }
 
     fn move_by_hand(&mut self, made: Event) {

@@ -11,13 +11,15 @@ use crate::real;
 
 const DESCRIPTION: &str = r#"{"id": "hostile", "name": "Hostile", "version": "0.1.0",
 "description": "Misbehaves on demand, for tests.",
-"capabilities": ["export", "live", "jog", "home", "pause", "resume", "stop", "ports", "settings", "console"],
+"capabilities": ["export", "live", "jog", "home", "pause", "resume", "stop", "ports", "settings", "console", "cut"],
 "formats": [{"id": "hostile-text", "name": "Text", "extensions": ["txt"], "content": "design"}],
 "settings_schema": {"type": "object", "additionalProperties": false, "properties": {
     "machine": {"type": "string", "description": "File that the machine is kept in."},
     "faults": {"type": "array", "items": {"type": "object"}, "description": "What goes wrong, and at which step."},
     "alone": {"type": "integer", "description": "Steps that it does while no program is there."},
     "holds_by_hand": {"type": "integer", "description": "The move by hand in which it holds."},
+    "cutter_mm": {"type": "number", "description": "Where its cutter is, if it has one."},
+    "jams_at": {"type": "integer", "description": "The cut at which the cutter jams."},
     "misset": {"type": "boolean", "description": "A setting is another one until it is written."}}}}"#;
 
 /// What the machine's settings are at a moment; one that differs at first keeps to it when they are written.
@@ -91,8 +93,7 @@ impl Instance {
             "encode" => reply = json!({"files": [{"text": "a wire\n"}]}),
             "ports" => reply = json!({"ports": [{"name": "anywhere", "likely": true}]}),
             "limits" => {
-                reply =
-                    json!({"limits": [{"axis": "feed", "of": "step", "most": 1e6, "reason": "patience"}]});
+                reply = json!({"limits": [{"axis": "feed", "of": "step", "most": 1e6, "reason": "patience"}], "cutter_mm": 12.0});
             }
             "connect" => self.events.push_back(connected(&request)),
             "home" => self.events.push_back(json!({"event": "homed"})),
@@ -109,6 +110,7 @@ impl Instance {
             "stop" => self.events.push_back(json!({"event": "stopped", "homed": false})),
             "write-settings" => self.events.push_back(written()),
             "console" => return (name, self.console(&request)),
+            "cut" => self.events.push_back(json!({"event": "cut"})),
             "arm" => reply = json!({"token": TOKEN}),
             "disconnect" => {}
             _ => {

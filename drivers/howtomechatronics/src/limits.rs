@@ -13,7 +13,6 @@ pub(crate) fn of(settings: &Settings) -> Limits {
     // Out at one speed and back at another: the same time at their harmonic mean.
     let stroke = 2.0 / (1.0 / s.bend_rate_deg_per_s + 1.0 / s.bend_return_rate_deg_per_s);
     Limits {
-        lacks: Vec::new(),
         limits: vec![
             AxisLimit::known(Axis::Feed, Extent::Step, MAX_FEED_MM, coil),
             AxisLimit::known(Axis::Rotate, Extent::Step, MAX_ANGLE_DEG, counted),
@@ -24,5 +23,6 @@ pub(crate) fn of(settings: &Settings) -> Limits {
             AxisRate::new(Axis::Rotate, s.rotate_rate_deg_per_s, &["rotate_rate_deg_per_s"]),
             AxisRate::new(Axis::Bend, stroke, &["bend_rate_deg_per_s", "bend_return_rate_deg_per_s"]),
         ],
+        ..Limits::default()
     }
 }

@@ -24,7 +24,7 @@ pub(crate) fn of(settings: &Settings) -> Limits {
             AxisRate::new(Axis::Rotate, s.rotate_rate_deg_per_s, &["rotate_rate_deg_per_s"]),
             AxisRate::new(Axis::Bend, s.bend_rate_deg_per_s, &["bend_rate_deg_per_s"]),
         ],
-        lacks: Vec::new(),
+        ..Limits::default()
     }
 }
 
@@ -55,7 +55,7 @@ pub(crate) fn of_board(stored: &[i32]) -> Limits {
             rate(Axis::Rotate, "rotate_rate", turn),
             rate(Axis::Bend, "bend_rate", bend),
         ],
-        lacks: Vec::new(),
+        ..Limits::default()
     };
     // Of an axis without steps nothing can be said.
     told.limits.retain(|limit| limit.most.is_finite());

@@ -1403,6 +1403,10 @@ export interface OrderMachine {
  * How many pieces are bent in a row, and from how much wire.
  */
 export interface Repeat {
+  /**
+   * Whether the machine cuts each piece off. As long as the wire that is loaded suffices, the next one is bent without a question.
+   */
+  cut?: boolean;
   pieces: number;
   /**
    * Length of the wire that is loaded, mm: as long as it suffices, no new wire is asked for. Absent, it is not known.

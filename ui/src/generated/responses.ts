@@ -523,6 +523,9 @@ export type ErrorRemedy =
       remedy: "measure-step";
     }
   | {
+      remedy: "cut-by-hand";
+    }
+  | {
       remedy: "begin-anew";
     }
   | {
@@ -940,7 +943,8 @@ export type Capability =
   | "dry-run"
   | "speed"
   | "before-zero"
-  | "console";
+  | "console"
+  | "cut";
 /**
  * What a format holds.
  */
@@ -1790,6 +1794,8 @@ export type ErrorCode =
   | "not-of-step"
   | "not-permitted"
   | "not-simulated"
+  | "no-cutter"
+  | "end-too-short"
   | "nothing"
   | "nothing-begun"
   | "nothing-recorded"
@@ -2017,6 +2023,10 @@ export interface MachineState {
    * The others, and why they are not possible now.
    */
   cannot: RefusedOrder[];
+  /**
+   * Where its cutter is, mm, if it has one: how far beyond the place where a wire begins, or inside of it below zero.
+   */
+  cutter_mm: number | null;
   /**
    * What is being done within that, in a word or two.
    */

@@ -65,6 +65,7 @@ export const machineState = (phase: Phase, ...can: OrderName[]): MachineState =>
   driver: null,
   position: null,
   speed_percent: null,
+  cutter_mm: null,
   settings: [],
   wire: null,
   can,

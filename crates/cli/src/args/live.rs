@@ -65,6 +65,9 @@ pub(crate) struct RunArgs {
     /// Length of the wire that is loaded, in mm: new wire is asked for only when what is left does not suffice
     #[arg(long, value_name = "MM", value_parser = length)]
     pub stock: Option<f64>,
+    /// Cut each piece off with the machine's cutter; the next one is bent without a question as long as the wire that is loaded (--stock) suffices
+    #[arg(long, conflicts_with_all = ["resume", "abandon"])]
+    pub cut: bool,
     /// Resume what was interrupted; with an answer, state what became of step N, which is in doubt: made:N, not-made:N, as-counted:N (the rest of it is bent from where the machine has counted), part:N:MM:DEGREES (from what was fed and turned as you measure it)
     #[arg(long, value_name = "ANSWER", num_args = 0..=1, require_equals = true, default_missing_value = "ask", conflicts_with = "abandon", value_parser = answer)]
     pub resume: Option<Answer>,

@@ -53,6 +53,7 @@ fn one(remedy: &ErrorRemedy) -> String {
         R::ChooseKnown { near, known } => choice(near, known),
         R::FreeVertex => "free the support, or remove the joint, first".to_owned(),
         R::UseRadius { radius } => format!("use a radius of {radius}, the nearest that can be made"),
+        R::CutByHand => "leave out --cut, and cut each piece off by hand".to_owned(),
         R::LengthenEdges => "make the edges at the corner longer".to_owned(),
         R::EnterLength => "give a length of more than 0".to_owned(),
         R::EnterAngle => "give an angle of more than 0° and at most 180°".to_owned(),

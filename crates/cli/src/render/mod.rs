@@ -172,6 +172,11 @@ fn status_of_run(found: &RunResponse) -> u8 {
         _ if found.wires.iter().any(|wire| may_move(wire.standstill)) => exit::MAY_MOVE,
         _ if any(RunOutcome::Failed) => exit::FAILURE,
         _ if any(RunOutcome::Stopped) => exit::STOPPED,
+        // It was made, and not cut off.
+        _ if found.wires.iter().any(|wire| wire.outcome.is_whole() && wire.problem.is_some()) => {
+            let stopped = found.wires.iter().any(|wire| wire.stopped_by.is_some());
+            if stopped { exit::STOPPED } else { exit::FAILURE }
+        }
         Some(LeftBecause::Declined) => exit::STOPPED,
         Some(LeftBecause::NobodyAsked) => exit::USAGE,
         None => exit::DONE,

@@ -15,8 +15,19 @@ use crate::contents::Contents;
 use crate::usage::{BadInput, WrongUse};
 
 pub(super) fn run(args: RunArgs) -> anyhow::Result<Command> {
-    let RunArgs { what, wire, repeat, stock, resume, abandon, accept_settings, simulated, record, force } =
-        args;
+    let RunArgs {
+        what,
+        wire,
+        repeat,
+        stock,
+        cut,
+        resume,
+        abandon,
+        accept_settings,
+        simulated,
+        record,
+        force,
+    } = args;
     let ToRunArgs { job, machine, material, despite_errors, at, zero } = what;
     let answers = answers(&at, &zero);
     let wire = wire.map(|wire| wire.get() - 1);
@@ -32,7 +43,7 @@ pub(super) fn run(args: RunArgs) -> anyhow::Result<Command> {
         despite_errors,
         port: at.port,
         wire,
-        repeat: Repeat { pieces: repeat, stock_mm: stock },
+        repeat: Repeat { pieces: repeat, stock_mm: stock, cut },
         how,
         simulated_as: SimulatedAs {
             machine: simulated.simulated_machine,

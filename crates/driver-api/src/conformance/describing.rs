@@ -87,9 +87,10 @@ fn capabilities(description: &Description) -> Result<(), String> {
         Capability::Speed,
         Capability::BeforeZero,
         Capability::Console,
+        Capability::Cut,
     ];
     if connected.into_iter().any(can) && !can(Capability::Live) {
-        let connected = "'jog', 'home', 'pause', 'stop', 'ports', 'settings', 'dry-run', 'speed', 'before-zero' and 'console'";
+        let connected = "'jog', 'home', 'pause', 'stop', 'ports', 'settings', 'dry-run', 'speed', 'before-zero', 'console' and 'cut'";
         return Err(format!("{connected} need 'live'"));
     }
     if can(Capability::DryRun) && !can(Capability::Jog) {

@@ -2,7 +2,7 @@
 
 use super::subject::done;
 use super::{Conformance, Subject};
-use crate::{AxisLimit, AxisRate, Call, Description, DriverError, Lack, Limits, Reply};
+use crate::{AxisLimit, AxisRate, Call, Capability, Description, DriverError, Lack, Limits, Reply};
 
 pub(super) fn check(subject: &mut dyn Subject, description: &Description, found: &mut Conformance) {
     found.note("reports limits and rates above zero, with settings that it has", told(subject, description));
@@ -21,7 +21,7 @@ fn told(subject: &mut dyn Subject, description: &Description) -> Result<(), Stri
         }
         reply @ Reply::Ok(_) => done(Ok(reply))?,
     };
-    let Limits { limits, rates, lacks } =
+    let Limits { limits, rates, cutter_mm, lacks } =
         serde_json::from_slice(&reply).map_err(|error| format!("the limits cannot be read: {error}"))?;
     for AxisLimit { axis, most, setting, reason, .. } in &limits {
         above_zero(&format!("the limit of {axis:?}"), *most)?;
@@ -29,6 +29,14 @@ fn told(subject: &mut dyn Subject, description: &Description) -> Result<(), Stri
             return Err(format!("the limit of {axis:?} names neither a setting nor a reason"));
         }
         setting.iter().try_for_each(|key| known(key, description))?;
+    }
+    if let Some(mm) = cutter_mm {
+        if !mm.is_finite() {
+            return Err(format!("its cutter is at {mm}"));
+        }
+        if !description.can(Capability::Cut) {
+            return Err("it has a cutter, and the driver has not the capability 'cut'".to_owned());
+        }
     }
     for Lack { capability, reason, help } in &lacks {
         if !description.can(*capability) {

@@ -65,6 +65,7 @@ fn unconnected(subject: &mut dyn Subject) -> Result<(), String> {
         Call::Pause,
         Call::Speed { percent: 50 },
         Call::Console { line: "?".to_owned(), may_change: false },
+        Call::Cut,
         Call::Resume,
         Call::Stop,
         Call::WriteSettings,

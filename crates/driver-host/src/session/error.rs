@@ -163,6 +163,7 @@ const fn word(capability: Capability) -> &'static str {
         Capability::DryRun => "dry-run",
         Capability::BeforeZero => "before-zero",
         Capability::Console => "console",
+        Capability::Cut => "cut",
         Capability::Speed => "speed",
         Capability::Home => "home",
         Capability::Pause => "pause",

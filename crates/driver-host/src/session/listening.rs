@@ -65,6 +65,7 @@ impl Session {
             Event::Position(position) => self.position = Some(*position),
             Event::Speed { percent } => self.speed_percent = *percent,
             Event::Jogged => self.guard.rests(),
+            Event::Cut if self.phase == Phase::Cutting => self.guard.rests(),
             // One that comes late says nothing of what moves now.
             Event::ConsoleDone { .. } if self.phase == Phase::Commanded => self.guard.rests(),
             Event::Finished if believed => self.guard.rests(),

@@ -3,6 +3,7 @@
 mod armed;
 mod axes;
 mod console;
+mod cut;
 mod error;
 mod head;
 mod listening;

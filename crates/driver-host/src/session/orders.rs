@@ -213,7 +213,7 @@ const fn refusal(phase: Phase, order: OrderName, reference: ReferenceBy) -> Opti
         (Phase::Failed, _) => Some(Because::Failed),
         (Phase::Connecting | Phase::Interrupted, _) => Some(Because::Connecting),
         (Phase::Homing, _) => Some(Because::Homing),
-        (Phase::Moving | Phase::Commanded, _) => Some(Because::Moving),
+        (Phase::Moving | Phase::Commanded | Phase::Cutting, _) => Some(Because::Moving),
         (Phase::Stopping, _) => Some(Because::Stopping),
         (Phase::Closed, _) => Some(Because::NotConnected),
     }

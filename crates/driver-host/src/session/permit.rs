@@ -102,11 +102,25 @@ impl Session {
             .ok_or(SessionError::ConfirmationUsed)?;
         let permit = Permit { kind, session, stops, kept: Arc::default() };
         self.still_permitted(&permit)?;
-        if kind == PermitKind::Wire {
+        if matches!(kind, PermitKind::Wire | PermitKind::Row) {
             self.questions.wire = (Arc::downgrade(&permit.kept), stops);
             self.times = None;
         }
         Ok(permit)
+    }
+
+    /// The permit for one wire of those that were permitted together.
+    ///
+    /// # Errors
+    /// [`SessionError`] where the permit of the row does not hold any more, or is for something else.
+    pub fn permit_in_row(&self, row: &Permit) -> Result<Permit, SessionError> {
+        self.permits(row, "bending the next wire", &[PermitKind::Row])?;
+        Ok(Permit {
+            kind: PermitKind::Wire,
+            session: row.session,
+            stops: row.stops,
+            kept: Arc::clone(&row.kept),
+        })
     }
 
     /// Where the driver lists the port of this session as simulated.

@@ -6,6 +6,8 @@ use std::fmt;
 pub enum PermitKind {
     /// One wire: homing before it, accepting settings that differ, and one arming or reattaching, which uses it up.
     Wire,
+    /// Wires one after the other, each cut off: a permit for each of them, and every cut.
+    Row,
     /// Moves by hand: homing, and arming for moves by hand.
     ByHand,
     /// What follows a pause point of a wire, once.
@@ -20,6 +22,7 @@ impl fmt::Display for PermitKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Wire => "bending a wire",
+            Self::Row => "bending wires one after the other",
             Self::ByHand => "moves by hand",
             Self::Continue => "continuing a wire after a pause point",
             Self::Settings => "writing settings",

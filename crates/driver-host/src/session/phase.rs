@@ -44,10 +44,14 @@ pub enum Phase {
     #[serde(rename = "moving", skip_deserializing)]
     #[schemars(skip)]
     Commanded,
+    /// It cuts off what was bent. For a front end it is being moved by hand.
+    #[serde(rename = "moving", skip_deserializing)]
+    #[schemars(skip)]
+    Cutting,
 }
 
 impl Phase {
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Connecting,
         Self::Connected,
         Self::Homing,
@@ -62,15 +66,19 @@ impl Phase {
         Self::Closed,
         Self::Interrupted,
         Self::Commanded,
+        Self::Cutting,
     ];
 
     /// What leads on from here.
     #[must_use]
     pub const fn remedy(self) -> ErrorRemedy {
         match self {
-            Self::Connecting | Self::Homing | Self::Moving | Self::Commanded | Self::Stopping => {
-                ErrorRemedy::Wait
-            }
+            Self::Connecting
+            | Self::Homing
+            | Self::Moving
+            | Self::Commanded
+            | Self::Cutting
+            | Self::Stopping => ErrorRemedy::Wait,
             Self::Connected | Self::Stopped => ErrorRemedy::Home,
             Self::Ready => ErrorRemedy::ArmOrJog,
             Self::Armed => ErrorRemedy::StartOrDisarm,
@@ -84,8 +92,10 @@ impl Phase {
     /// Whether something moves, may move at any moment, or is in the middle of a wire.
     #[must_use]
     pub const fn is_under_way(self) -> bool {
-        matches!(self, Self::Connecting | Self::Homing | Self::Moving | Self::Commanded | Self::Stopping)
-            || self.is_in_a_wire()
+        matches!(
+            self,
+            Self::Connecting | Self::Homing | Self::Moving | Self::Commanded | Self::Cutting | Self::Stopping
+        ) || self.is_in_a_wire()
     }
 
     /// Whether something moves, or may move without being asked again.
@@ -118,6 +128,7 @@ impl fmt::Display for Phase {
             Self::Closed => "not connected",
             Self::Interrupted => "in an interrupted wire",
             Self::Commanded => "carrying out a line of the console",
+            Self::Cutting => "cutting the wire off",
         })
     }
 }
@@ -148,6 +159,8 @@ pub enum Act {
     Ask,
     /// Pass on a line of the console that may move or change something.
     Command,
+    /// Cut off what was bent.
+    Cut,
 }
 
 impl fmt::Display for Act {
@@ -163,6 +176,7 @@ impl fmt::Display for Act {
             Self::Reattach => "reattaching the wire",
             Self::WriteSettings => "writing settings",
             Self::Ask | Self::Command => "a line of the console",
+            Self::Cut => "cutting the wire off",
         })
     }
 }
@@ -178,7 +192,8 @@ impl Phase {
     /// What an act leads to, before the machine has answered.
     pub(super) const fn on(self, act: Act) -> Transition {
         use Phase::{
-            Armed, Commanded, Connected, Failed, Holding, Homing, Interrupted, Making, Moving, Ready, Stopped,
+            Armed, Commanded, Connected, Cutting, Failed, Holding, Homing, Interrupted, Making, Moving,
+            Ready, Stopped,
         };
         match (act, self) {
             (Act::Home, Connected | Ready | Moving | Armed | Stopped | Failed) => Transition::To(Homing),
@@ -199,9 +214,11 @@ impl Phase {
             (Act::WriteSettings | Act::Ask, Stopped) => Transition::To(Stopped),
             (Act::Ask, Ready) => Transition::To(Ready),
             (Act::Command, Connected | Ready | Stopped) => Transition::To(Commanded),
+            (Act::Cut, Ready) => Transition::To(Cutting),
             (Act::WriteSettings, Failed) => Transition::To(Failed),
             (Act::Home | Act::WriteSettings, _) => Transition::Refused { expected: "connected and at rest" },
             (Act::Ask | Act::Command, _) => Transition::Refused { expected: "at rest, with no wire armed" },
+            (Act::Cut, _) => Transition::Refused { expected: "homed and at rest, with no wire armed" },
             (Act::Arm | Act::ArmByHand, _) => Transition::Refused { expected: "homed, or done with a wire" },
             (Act::Send, _) => Transition::Refused { expected: "armed for a wire" },
             (Act::Jog, _) => Transition::Refused { expected: "armed, with no wire in hand" },
@@ -223,7 +240,8 @@ impl Phase {
             (Event::Connected { homed: true, .. }, Self::Connecting)
             | (Event::Homed, Self::Connected | Self::Homing)
             // A machine that holds at its very end has finished the wire anyway.
-            | (Event::Finished, Self::Making | Self::Holding) => Self::Ready,
+            | (Event::Finished, Self::Making | Self::Holding)
+            | (Event::Cut, Self::Cutting) => Self::Ready,
             (Event::Connected { homed: false, .. }, Self::Connecting)
             // After what may have moved it, the axes are not where they are taken to be.
             | (Event::ConsoleDone { .. }, Self::Commanded)

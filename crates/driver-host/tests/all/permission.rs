@@ -53,6 +53,31 @@ fn a_yes_is_taken_once() {
     session.arm(run(), permit).unwrap();
 }
 
+/// It permits wires one after the other, and cuts between them, until the machine is stopped; a yes to one wire permits no cut.
+#[test]
+fn a_yes_to_a_row_lasts_until_a_stop() {
+    let mut session = homed();
+    let wire = permits::yes(&mut session, PermitKind::Wire);
+    assert_eq!(code(session.cut(&wire)), "not-permitted");
+    assert_eq!(code(session.permit_in_row(&wire)), "not-permitted");
+    let row = permits::yes(&mut session, PermitKind::Row);
+    for _ in 0..2 {
+        session.cut(&row).unwrap();
+        assert_eq!(code(session.cut(&row)), "session-state", "it is being cut");
+        session.poll().unwrap();
+        assert_eq!(session.phase(), Phase::Ready);
+    }
+    let next = session.permit_in_row(&row).unwrap();
+    session.arm(run(), next).unwrap();
+    assert_eq!(code(session.cut(&row)), "session-state", "a wire is armed");
+    let _ = session.stop();
+    session.poll().unwrap();
+    permits::home(&mut session).unwrap();
+    session.poll().unwrap();
+    assert_eq!(code(session.cut(&row)), "stopped-since");
+    assert_eq!(code(session.permit_in_row(&row)), "stopped-since");
+}
+
 /// A yes that arrives late may be to a question that the person does not see any more.
 #[test]
 fn no_is_no() {

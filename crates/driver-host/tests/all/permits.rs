@@ -39,6 +39,11 @@ pub fn command(session: &mut Session, line: &str) -> Result<(), SessionError> {
     session.command(line, permit)
 }
 
+pub fn cut(session: &mut Session) -> Result<(), SessionError> {
+    let permit = asked(session, PermitKind::Row)?;
+    session.cut(&permit)
+}
+
 pub fn start(run: &mut JobRun) -> Result<(), JobError> {
     let permit = yes(run.session(), PermitKind::Wire);
     run.start(permit)

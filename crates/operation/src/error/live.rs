@@ -112,6 +112,20 @@ pub enum LiveProblem {
         /// How many there are.
         count: usize,
     },
+    /// Pieces were to be cut off, and nothing cuts.
+    #[error("'{machine}' has no cutter{}", if *able { "" } else { " that its driver knows to use" })]
+    NoCutter {
+        machine: String,
+        driver: String,
+        /// Whether the driver could use one.
+        able: bool,
+    },
+    /// A bend would be pulled into the machine.
+    #[error(
+        "wire {} ends {straight_mm:.1} mm after its last bend, and the cutter is {back_mm:.1} mm inside the machine: the bend would be pulled into it",
+        .wire + 1
+    )]
+    EndTooShort { wire: usize, straight_mm: f64, back_mm: f64 },
     /// One wire is wanted, and the job has several.
     #[error("the job has {count} wires, and a dry run is of one")]
     WhichWire {

@@ -19,6 +19,8 @@ impl LiveProblem {
             | Self::Head(_)
             | Self::NoWire { .. }
             | Self::WhichWire { .. }
+            | Self::NoCutter { .. }
+            | Self::EndTooShort { .. }
             | Self::Unfinished { .. }
             | Self::SeveralUnfinished { .. }
             | Self::WireInMachine { .. }
@@ -78,6 +80,8 @@ impl LiveProblem {
             Self::SettingsDiffer { .. } => ErrorCode::SettingsDiffer,
             Self::NoWire { .. } => ErrorCode::NoWire,
             Self::WhichWire { .. } => ErrorCode::WhichWire,
+            Self::NoCutter { .. } => ErrorCode::NoCutter,
+            Self::EndTooShort { .. } => ErrorCode::EndTooShort,
             Self::Unfinished { .. } | Self::WireInMachine { .. } => ErrorCode::Unfinished,
             Self::DamagedJournal { .. } => ErrorCode::JournalDamaged,
             Self::SeveralUnfinished { .. } => ErrorCode::SeveralUnfinished,

@@ -32,6 +32,8 @@ impl LiveProblem {
                 let set = if *writable { R::WriteSettings { machine, port } } else { R::SetMachine };
                 vec![set, R::AcceptSettings]
             }
+            Self::NoCutter { able: true, .. } => vec![R::ChangeDriverSetting, R::CutByHand],
+            Self::NoCutter { .. } | Self::EndTooShort { .. } => vec![R::CutByHand],
             Self::NoWire { .. } | Self::WhichWire { .. } | Self::SeveralUnfinished { .. } => {
                 vec![R::ChooseWire]
             }

@@ -81,6 +81,11 @@ impl<'a> Connection<'a> {
         Err(LiveProblem::SettingsDiffer { machine, port, settings, writable })
     }
 
+    /// Where the machine's cutter is, mm, if it has one that its driver knows to use.
+    pub fn cutter_mm(&self) -> Option<f64> {
+        self.driver_limits.cutter_mm.filter(|_| self.session.driver().description().can(Capability::Cut))
+    }
+
     /// The machine, as it says itself.
     pub fn board(&self) -> Board {
         Board { port: self.port.clone(), limits: self.session.machine_limits().clone() }

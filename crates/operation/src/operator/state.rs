@@ -39,6 +39,8 @@ pub struct MachineState {
     pub position: Option<JobStep>,
     /// How fast it is, percent of the programmed speed; null where that cannot be changed.
     pub speed_percent: Option<u8>,
+    /// Where its cutter is, mm, if it has one: how far beyond the place where a wire begins, or inside of it below zero.
+    pub cutter_mm: Option<f64>,
     /// Settings of the machine that are not those of its profile.
     pub settings: Vec<SettingCheck>,
     /// The wire that is armed or being bent, or that was the last.
@@ -141,6 +143,7 @@ impl MachineState {
             driver: None,
             position: None,
             speed_percent: None,
+            cutter_mm: None,
             settings: Vec::new(),
             wire: None,
             can: Vec::new(),

@@ -167,6 +167,7 @@ impl<'a> OperatorThread<'a> {
         self.shared.change_untold(|state| {
             state.port = Some(connection.port.clone());
             state.driver = Some(connection.driver_id.clone());
+            state.cutter_mm = connection.cutter_mm();
             state.unfinished = unfinished;
         });
         // What it says of itself it may have known before it was turned by hand.

@@ -1,7 +1,7 @@
 //! A wire: armed, started, resumed, given up.
 
 use wirebend_driver_host::api::DoneBy;
-use wirebend_driver_host::{OrderName, Permit, PermitKind, Phase, Standstill};
+use wirebend_driver_host::{OrderName, Permit, Phase, Standstill};
 use wirebend_planning::PlanningError;
 
 use super::armed::ArmedWire;
@@ -12,7 +12,7 @@ use super::thread::{OperatorThread, with_power};
 use super::unfinished::Unfinished;
 use crate::error::OperatorError;
 use crate::live::{Answers, Connection, Unnamed, Zero, connect};
-use crate::run::{Task, about};
+use crate::run::{Task, WirePermit, about};
 use crate::{Decided, LiveProblem, OperationError, Repeat, RunHow, RunRequest, RunResponse};
 use wirebend_planning::design::Input;
 
@@ -32,11 +32,12 @@ impl<'a> OperatorThread<'a> {
         let connection = self.connected(OrderName::Arm)?;
         connection.require_settings(task.setup.machine_id(), accept_settings)?;
         task.require_within(connection, wire, 1)?;
+        task.require_cutter(connection, &[wire])?;
         self.settle_head(OrderName::Arm, homes)?;
         let connection = self.connected(OrderName::Arm)?;
         let lines = about(&task, connection, wire, Some(task.wire_lines(wire)?), homes)?;
         let question = "Is the wire in, and may the machine move once it is started?";
-        let permit = self.ask(QuestionKind::Arm, PermitKind::Wire, lines, question)?;
+        let permit = self.ask(QuestionKind::Arm, task.permit_kind(), lines, question)?;
         let connection = self.connected(OrderName::Arm)?;
         connection.wire_used = false;
         task.wire_confirmed(wire)?;
@@ -60,23 +61,41 @@ impl<'a> OperatorThread<'a> {
                 self.ask_zero(OrderName::Start, Zero::Wire)?;
             }
             let connection = self.connection.take().ok_or_else(not_now)?;
+            let permitted = WirePermit::new(&connection.session, permit, task.request.repeat.cut);
+            let WirePermit { wire: of_wire, row } = match permitted {
+                Ok(permitted) => permitted,
+                Err(error) => {
+                    self.connection = Some(connection);
+                    return Err(error.into());
+                }
+            };
             let mut response = task.response();
             response.port = Some(connection.port.clone());
             response.identity = Some(connection.session.identity().to_owned());
             self.at_reference = false;
-            let (connection, made) = task.make(connection, wire, homes, permit, &mut response);
+            let (connection, made) = task.make(connection, wire, homes, of_wire, &mut response);
             self.connection = connection;
             let whole = response.wires.last().is_some_and(|made| made.outcome.is_whole());
             if whole {
                 task.wire_made(wire, true)?;
                 response.pieces = task.pieces.get().report();
             }
+            let cut = match (&row, &mut self.connection) {
+                (Some(row), Some(connection)) if whole => task.cut_off(connection, row, &mut response),
+                _ => true,
+            };
             self.tell_run(&task, wire, response);
             made?;
-            if !whole || task.pieces.get().are_done() {
+            if !whole || !cut || task.pieces.get().are_done() {
                 return Ok(());
             }
-            permit = self.ask_for_next(&task, wire, done_by)?;
+            permit = match row.filter(|_| task.goes_on(wire)) {
+                Some(row) => row,
+                None => self.ask_for_next(&task, wire, done_by)?,
+            };
+            task.wire_confirmed(wire)?;
+            let told = WireState::of(&task, wire, task.request.job.stem(), 0, done_by);
+            self.shared.change(|state| state.wire = Some(told));
         }
     }
 
@@ -88,11 +107,7 @@ impl<'a> OperatorThread<'a> {
         let connection = self.connected(OrderName::Start)?;
         let lines = about(task, connection, wire, Some(task.wire_lines(wire)?), homes)?;
         let question = task.pieces.get().question(task.wire(wire)?);
-        let permit = self.ask(QuestionKind::Piece, PermitKind::Wire, lines, question)?;
-        task.wire_confirmed(wire)?;
-        let told = WireState::of(task, wire, task.request.job.stem(), 0, done_by);
-        self.shared.change(|state| state.wire = Some(told));
-        Ok(permit)
+        self.ask(QuestionKind::Piece, task.permit_kind(), lines, question)
     }
 
     /// Resumes through the connection that there is, or through a new one where that has failed: there the machine

@@ -2,10 +2,11 @@
 
 use std::time::Duration;
 
+use wirebend_driver_host::Permit;
 use wirebend_driver_host::jobs::{Clock, Heading, JobRun, Journal, WireJob};
-use wirebend_driver_host::{Permit, PermitKind};
 
 use super::about::about;
+use super::cutting::WirePermit;
 use super::making::{Making, Watch};
 use super::report::{LeftBecause, RunResponse};
 use super::task::Task;
@@ -20,14 +21,16 @@ impl Task<'_> {
         let mut connection = connect(self.app, &self.at(None, Unnamed::Simulate), self.progress)?;
         connection.require_settings(self.setup.machine_id(), self.request.accept_settings)?;
         wanted.iter().try_for_each(|&wire| self.require_within(&connection, wire, 1))?;
+        self.require_cutter(&connection, &wanted)?;
         connection.settle_head(self.request.answers.head_at_deg, self.request.answers.confirmed)?;
         let mut response = self.response();
         response.port = Some(connection.port.clone());
         response.identity = Some(connection.session.identity().to_owned());
+        let mut row = None;
         while !self.pieces.get().are_done() {
             for (place, &wire) in wanted.iter().enumerate() {
                 let first = place == 0 && self.pieces.get().report().made == 0;
-                let permit = match self.ask(&mut connection, wire, first) {
+                let permit = match self.permit(&mut connection, wire, first, row.take()) {
                     Ok(permit) => permit,
                     // Wires that are done stay done: the answer lists the rest.
                     Err(OperationError::Live(problem)) if !first => {
@@ -44,6 +47,7 @@ impl Task<'_> {
                     Err(error) => return Err(error),
                 };
                 let homes = connection.can_home();
+                let WirePermit { wire: permit, row: of_row } = permit;
                 let (back, made) = self.make(connection, wire, homes, permit, &mut response);
                 made?;
                 // It is given back where the wire was finished or interrupted.
@@ -56,10 +60,42 @@ impl Task<'_> {
                 }
                 self.wire_made(wire, place + 1 == wanted.len())?;
                 response.pieces = self.pieces.get().report();
+                row = of_row;
+                if let Some(row) = &row
+                    && !self.cut_off(&mut connection, row, &mut response)
+                {
+                    response.left = wanted[place + 1..].to_vec();
+                    response.notes.append(&mut connection.observer.warnings);
+                    return Ok(response);
+                }
             }
         }
         response.notes.append(&mut connection.observer.warnings);
         Ok(response)
+    }
+
+    /// Asks a person, unless they have permitted this wire with those before.
+    fn permit(
+        &self,
+        connection: &mut Connection,
+        wire: usize,
+        first: bool,
+        row: Option<Permit>,
+    ) -> Result<WirePermit, OperationError> {
+        let permit = match row.filter(|_| self.goes_on(wire)) {
+            Some(row) => row,
+            None => self.ask(connection, wire, first)?,
+        };
+        if connection.can_home() {
+            // Before anything of the wire is written down.
+            connection.ask_zero(Zero::Wire)?;
+        }
+        Ok(WirePermit::new(&connection.session, permit, self.request.repeat.cut)?)
+    }
+
+    /// Whether a wire is bent without a question: those before it were cut off, and there is wire for it.
+    pub fn goes_on(&self, wire: usize) -> bool {
+        self.wire(wire).is_ok_and(|wire| self.pieces.get().goes_on(wire))
     }
 
     fn ask(&self, connection: &mut Connection, wire: usize, first: bool) -> Result<Permit, OperationError> {
@@ -71,12 +107,8 @@ impl Task<'_> {
         };
         // The person who said yes with the request could not know when the wire before would be done.
         let (session, confirmed) = (&mut connection.session, first && self.request.answers.confirmed);
-        let permit = ask_permit(session, self.progress, PermitKind::Wire, lines, question, confirmed)?;
+        let permit = ask_permit(session, self.progress, self.permit_kind(), lines, question, confirmed)?;
         self.wire_confirmed(wire)?;
-        if connection.can_home() {
-            // Before anything of the wire is written down.
-            connection.ask_zero(Zero::Wire)?;
-        }
         Ok(permit)
     }
 

@@ -16,6 +16,7 @@ mod board;
 mod boards;
 #[cfg(target_os = "linux")]
 mod console;
+mod cutting;
 mod faults;
 #[cfg(target_os = "linux")]
 #[path = "../../../../drivers/grbl/tests/all/pty/model/mod.rs"]

@@ -39,6 +39,16 @@ static SCHEMA: LazyLock<jsonschema::Validator> = LazyLock::new(|| {
     jsonschema::validator_for(&schema.to_value()).unwrap()
 });
 
+/// Writes a machine of one's own.
+fn profile(folder: &tempfile::TempDir, keys: &Value) {
+    let mut profile = json!({"schema_version": 1, "kind": "machine"});
+    profile.as_object_mut().unwrap().extend(keys.as_object().unwrap().clone());
+    let machines = folder.path().join("machines");
+    std::fs::create_dir(&machines).unwrap();
+    let file = machines.join(format!("{}.json", keys["id"].as_str().unwrap()));
+    std::fs::write(file, profile.to_string()).unwrap();
+}
+
 /// A folder for journals and profiles, and an application that knows them.
 pub struct Shop {
     pub folder: tempfile::TempDir,
@@ -66,12 +76,19 @@ impl Shop {
         let drivers = folder.path().join("drivers");
         std::fs::create_dir(&drivers).unwrap();
         wirebend_tests_built::place_hostile(&drivers.join(format!("{conduct}.so")));
-        let profile = json!({"schema_version": 1, "kind": "machine", "id": "odd", "inherits": "wirebend-kit",
-            "driver": {"id": "hostile", "settings": settings(folder.path())},
-            "export": {"native": "hostile-text"}});
-        std::fs::create_dir(folder.path().join("machines")).unwrap();
-        std::fs::write(folder.path().join("machines/odd.json"), profile.to_string()).unwrap();
+        let driver = json!({"id": "hostile", "settings": settings(folder.path())});
+        profile(
+            &folder,
+            &json!({"id": "odd", "inherits": "wirebend-kit", "driver": driver, "export": {"native": "hostile-text"}}),
+        );
         Self::with(folder, &[drivers])
+    }
+
+    /// With a machine that has other settings than the one that it inherits from.
+    pub fn with_machine(id: &str, inherits: &str, settings: &Value) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        profile(&folder, &json!({"id": id, "inherits": inherits, "driver": {"settings": settings}}));
+        Self::with(folder, &[])
     }
 
     /// With a machine `odd` that is kept in a file, and to which something happens at a step.

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use wirebend_driver_api::{Axis, Batch, DriverError, Event, Motion, Run, Sent};
 
+use super::cutting::not_homed;
 use super::jog_row::JogRow;
 use super::phase::Phase;
 use super::protocol::Protocol;
@@ -50,8 +51,7 @@ impl Protocol {
         self.at_rest()?;
         self.has_axes()?;
         if !self.machine.homed {
-            let what = "it is not known where the axes are";
-            return Err(DriverError::new("not-homed", what, "home the machine first"));
+            return Err(not_homed());
         }
         self.garbled = 0;
         self.restore_full_speed();
@@ -78,6 +78,32 @@ impl Protocol {
         self.ready()?;
         self.at_rest()?;
         self.has_axes()?;
+        let (line, end) = self.jog_line(motion)?;
+        let Some(line) = line else {
+            if motion.dry {
+                // Of a wire: the rest of it is made all the same.
+                self.event(Event::Jogged);
+                return Ok(());
+            }
+            let what = format!("a jog by {} is less than the last digit that is written", motion.by);
+            return Err(DriverError::new("jog", what, "jog farther, or raise 'decimals' in the settings"));
+        };
+        let mut row = JogRow::new(self.machine.reported(&self.settings));
+        if motion.dry {
+            row.push(pin_in_lines(&self.settings).collect(), [0.0; 3]);
+        }
+        row.push(vec![line], end);
+        if motion.dry && motion.axis == Axis::Bend {
+            let (back, _) = self.jog_line(Motion { by: -motion.by, ..motion })?;
+            row.push(back.into_iter().collect(), [0.0; 3]);
+        }
+        self.phase = Phase::Jogging { stopping: None, row };
+        self.row_on();
+        Ok(())
+    }
+
+    /// The line of a jog, and where the axes are after it, in units of the machine. No line where it is less than the last digit.
+    pub(super) fn jog_line(&self, motion: Motion) -> Result<(Option<String>, [f64; 3]), DriverError> {
         let s = &self.settings;
         let (axis, letter, units, rate) = match motion.axis {
             Axis::Feed => (0, s.feed_axis, s.feed_units_per_mm, s.feed_rate_mm_per_min),
@@ -89,39 +115,23 @@ impl Protocol {
             let what = format!("a jog by {} is too far; the most is {}", motion.by, MAX_JOG / units);
             return Err(DriverError::new("jog", what, "jog in smaller parts"));
         }
+        let last_digits = 10f64.powi(i32::from(s.decimals));
         #[allow(clippy::cast_possible_truncation)] // at most 10000 with four digits
-        let written = (by * 10f64.powi(i32::from(s.decimals))).round() as i64;
-        if written == 0 && motion.dry {
-            // Of a wire: the rest of it is made all the same.
-            self.event(Event::Jogged);
-            return Ok(());
-        }
-        if written == 0 {
-            let what = format!("a jog by {} is less than the last digit that is written", motion.by);
-            return Err(DriverError::new("jog", what, "jog farther, or raise 'decimals' in the settings"));
-        }
+        let written = (by * last_digits).round() as i64;
+        let mut end = [0.0; 3];
+        #[allow(clippy::cast_precision_loss)] // at most 10000 with four digits
+        let units_by = written as f64 / last_digits;
+        end[axis] = units_by;
         let rate = if motion.dry { rate / DRY_SLOWER } else { rate };
-        let line = |by: i64| {
-            format!("$J=G91 G21 {}{} F{}", letter.letter(), digits(by, s.decimals), trimmed(rate * units))
+        let line = || {
+            format!(
+                "$J=G91 G21 {}{} F{}",
+                letter.letter(),
+                digits(written, s.decimals),
+                trimmed(rate * units)
+            )
         };
-        let end = |by: i64| {
-            let mut end = [0.0; 3];
-            #[allow(clippy::cast_precision_loss)] // at most 10000 with four digits
-            let units = by as f64 / 10f64.powi(i32::from(s.decimals));
-            end[axis] = units;
-            end
-        };
-        let mut row = JogRow::new(self.machine.reported(s));
-        if motion.dry {
-            row.push(pin_in_lines(s).collect(), end(0));
-        }
-        row.push(vec![line(written)], end(written));
-        if motion.dry && motion.axis == Axis::Bend {
-            row.push(vec![line(-written)], end(0));
-        }
-        self.phase = Phase::Jogging { stopping: None, row };
-        self.jog_on();
-        Ok(())
+        Ok(((written != 0).then(line), end))
     }
 
     /// A feed hold: the axes decelerate and keep their position.
@@ -187,6 +197,7 @@ impl Protocol {
             Phase::Greeting(_) | Phase::Reading(_) => "the machine has not answered yet",
             Phase::Homing { .. } => "the machine is homing",
             Phase::Jogging { .. } => "an axis moves",
+            Phase::Cutting(_) => "the wire is being cut",
             Phase::Console(_) => "a typed line is not answered yet",
             Phase::Running(_) => "a job is running",
             Phase::Halting { .. } | Phase::Resetting(_) => "the machine is being stopped",
@@ -194,7 +205,7 @@ impl Protocol {
         Err(DriverError::new("busy", busy, "wait until it is over, or stop it"))
     }
 
-    fn at_rest(&self) -> Result<(), DriverError> {
+    pub(super) fn at_rest(&self) -> Result<(), DriverError> {
         match self.machine.state {
             Some(State::Idle) => Ok(()),
             Some(State::Alarm) => {
@@ -205,7 +216,7 @@ impl Protocol {
         }
     }
 
-    fn has_axes(&self) -> Result<(), DriverError> {
+    pub(super) fn has_axes(&self) -> Result<(), DriverError> {
         let axes = self.machine.axes;
         match self.settings.axes().into_iter().find(|(_, letter)| letter.index() >= axes) {
             None => Ok(()),

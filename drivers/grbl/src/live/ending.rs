@@ -60,7 +60,7 @@ impl Protocol {
             }
             return;
         }
-        if self.jog_on() {
+        if self.row_on() {
             return;
         }
         let stopping = matches!(self.phase, Phase::Jogging { stopping: Some(_), .. });
@@ -70,16 +70,16 @@ impl Protocol {
 
     /// A feed hold between the parts of a jog, or an open door: it does not end by itself.
     pub(super) fn jog_held(&mut self, state: State) {
-        let Phase::Jogging { row, .. } = &mut self.phase else { return };
+        let (Phase::Jogging { row, .. } | Phase::Cutting(row)) = &mut self.phase else { return };
         let holds = matches!(state, State::Hold { at_rest: true } | State::Door { at_rest: true });
         if holds && !std::mem::replace(&mut row.held, true) {
             self.event(Event::Paused { by: PausedBy::Machine });
         }
     }
 
-    /// Sends the next part of a jog, if there is one.
-    pub(super) fn jog_on(&mut self) -> bool {
-        let Phase::Jogging { row, .. } = &mut self.phase else { return false };
+    /// Sends the next part of a jog or of a cut, if there is one.
+    pub(super) fn row_on(&mut self) -> bool {
+        let (Phase::Jogging { row, .. } | Phase::Cutting(row)) = &mut self.phase else { return false };
         let Some(lines) = row.next() else { return false };
         self.stream.take(lines);
         self.poller.outdated();
@@ -126,7 +126,11 @@ impl Protocol {
             Phase::Ready => self.fault(error),
             // The first reason is the one that counts.
             Phase::Halting { .. } | Phase::Resetting(_) | Phase::NotResponding | Phase::Closed => {}
-            Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Console(_) | Phase::Running(_) => {
+            Phase::Homing { .. }
+            | Phase::Jogging { .. }
+            | Phase::Cutting(_)
+            | Phase::Console(_)
+            | Phase::Running(_) => {
                 self.fault(error);
                 self.interrupt(StoppedBy::FeedHold);
                 self.stream.clear();
@@ -169,6 +173,7 @@ impl Protocol {
             Phase::Ready
             | Phase::Homing { .. }
             | Phase::Jogging { .. }
+            | Phase::Cutting(_)
             | Phase::Console(_)
             | Phase::Running(_) => {}
             Phase::Halting { .. } => return self.reset(false),
@@ -264,6 +269,7 @@ impl Protocol {
             Phase::Ready
             | Phase::Homing { .. }
             | Phase::Jogging { .. }
+            | Phase::Cutting(_)
             | Phase::Console(_)
             | Phase::Running(_) => {
                 self.machine.was_reset(false);

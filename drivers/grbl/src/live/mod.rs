@@ -5,6 +5,7 @@ mod calls;
 mod changed;
 mod connecting;
 mod console;
+mod cutting;
 mod displacement;
 mod ending;
 mod incoming;
@@ -130,6 +131,10 @@ impl MachineSession for Session {
 
     fn console(&mut self, line: &ConsoleLine, may_change: bool) -> Result<(), DriverError> {
         self.call(|protocol, now| protocol.console(line, may_change, now))
+    }
+
+    fn cut(&mut self) -> Result<(), DriverError> {
+        self.call(Protocol::cut)
     }
 
     fn resume(&mut self) -> Result<(), DriverError> {

@@ -21,6 +21,8 @@ pub(super) enum Phase {
         stopping: Option<Duration>,
         row: JogRow,
     },
+    /// What was bent is cut off.
+    Cutting(JogRow),
     /// A line that a person has typed is awaited.
     Console(Typed),
     /// Armed for a wire, or running it.

@@ -102,9 +102,11 @@ impl Protocol {
     /// Whether something moves or may move of what this program has asked for.
     pub fn is_moving(&self) -> bool {
         match &self.phase {
-            Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Halting { .. } | Phase::Resetting(_) => {
-                true
-            }
+            Phase::Homing { .. }
+            | Phase::Jogging { .. }
+            | Phase::Cutting(_)
+            | Phase::Halting { .. }
+            | Phase::Resetting(_) => true,
             Phase::Running(run) => !run.is_armed_only(),
             Phase::Console(typed) => typed.may_move(),
             _ => false,
@@ -174,12 +176,13 @@ impl Protocol {
             Phase::Reading(Reading::State { .. }) => self.connected(),
             Phase::Homing { .. } if rests => self.homed(),
             Phase::Jogging { .. } if rests => self.jogged(),
-            Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Running(_)
+            Phase::Cutting(_) if rests => self.cut_rests(),
+            Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Cutting(_) | Phase::Running(_)
                 if counts && state == State::Alarm =>
             {
                 self.alarm(0);
             }
-            Phase::Jogging { stopping: None, .. } => {
+            Phase::Jogging { stopping: None, .. } | Phase::Cutting(_) => {
                 self.jog_held(state);
                 self.watch_answer(state);
             }
@@ -236,6 +239,7 @@ impl Protocol {
         let busy = match &self.phase {
             Phase::Ready => false,
             Phase::Jogging { .. }
+            | Phase::Cutting(_)
             | Phase::Running(_)
             | Phase::Console(_)
             | Phase::Halting { .. }

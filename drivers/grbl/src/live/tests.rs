@@ -34,6 +34,7 @@ impl Conversation for Protocol {
             Call::Arm(run) => self.arm(run, now)?,
             Call::Send(batch) => return self.send(batch, now).map(Answered::Sent),
             Call::Jog(motion) => self.jog(*motion, now)?,
+            Call::Cut => self.cut(now)?,
             Call::Pause => self.pause(now)?,
             Call::Speed { percent } => self.set_speed(*percent, now)?,
             Call::Console { line, may_change } => {

@@ -14,11 +14,14 @@ const MAX_DECIMALS: u8 = 4;
 const MIN_ARC_DEG: f64 = 0.1;
 const MAX_ARC_DEG: f64 = 360.0;
 const MAX_DWELL_S: f64 = 60.0;
+/// No bender is longer.
+const MAX_CUTTER_MM: f64 = 1000.0;
 
 pub(super) fn check(settings: &Settings) -> Result<(), DriverError> {
     letters(settings)?;
     rates(settings)?;
     within("pin_dwell_s", settings.pin_dwell_s, 0.0, MAX_DWELL_S)?;
+    within("cutter_mm", settings.cutter_mm, -MAX_CUTTER_MM, MAX_CUTTER_MM)?;
     within("arc_step_deg", settings.arc_step_deg, 0.0, MAX_ARC_DEG)?;
     within("arc_dwell_s", settings.arc_dwell_s, 0.0, MAX_DWELL_S)?;
     within("decimals", f64::from(settings.decimals), 0.0, f64::from(MAX_DECIMALS))?;
@@ -29,6 +32,7 @@ pub(super) fn check(settings: &Settings) -> Result<(), DriverError> {
     for (key, lines) in [
         ("pin_out", &settings.pin_out),
         ("pin_in", &settings.pin_in),
+        ("cut", &settings.cut),
         ("start_block", &settings.start_block),
         ("end_block", &settings.end_block),
     ] {

@@ -28,6 +28,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
   const [wanted, setWanted] = useState<{ readonly version: number; readonly file: unknown } | null>(null);
   const [pieces, setPieces] = useState(1);
   const [stockMm, setStock] = useState<number | null>(null);
+  const [cut, setCut] = useState(true);
   const otherWire = useOtherWire();
   const prospect = useProspect();
   const all = buttons(state, prospect);
@@ -84,6 +85,11 @@ export function Wire({ state }: { readonly state: MachineState }) {
         ))}
       {/* What is set before a wire stays, and what comes with it is below: Pause stands where Start stood. */}
       <Pieces pieces={pieces} stock={stockMm} why={busy} onPieces={setPieces} onStock={setStock} />
+      {state.cutter_mm !== null && (
+        <Checkbox checked={cut} onChange={setCut} why={busy}>
+          Cut each piece off
+        </Checkbox>
+      )}
       <div className="row">
         {state.phase === "armed" ? (
           <Button className="grow" why={all.disarm} onClick={() => void order({ order: "disarm" })}>
@@ -100,7 +106,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
                 wire,
                 accept_settings: accept,
                 despite_errors: despite,
-                repeat: { pieces, stock_mm: stockMm },
+                repeat: { pieces, stock_mm: stockMm, cut: cut && state.cutter_mm !== null },
               })
             }
           >

@@ -13,6 +13,8 @@ mod board_limits;
 mod by_hand;
 mod console;
 #[cfg(target_os = "linux")]
+mod cutting;
+#[cfg(target_os = "linux")]
 mod heads;
 mod interrupted;
 #[cfg(target_os = "linux")]

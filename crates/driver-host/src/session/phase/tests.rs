@@ -5,7 +5,7 @@ use wirebend_driver_api::{DoneBy, DriverError, HeadBy, Limits, PausedBy, Referen
 
 use super::*;
 
-const ACTS: [Act; 12] = [
+const ACTS: [Act; 13] = [
     Act::Home,
     Act::Arm,
     Act::ArmByHand,
@@ -18,6 +18,7 @@ const ACTS: [Act; 12] = [
     Act::WriteSettings,
     Act::Ask,
     Act::Command,
+    Act::Cut,
 ];
 
 fn events() -> Vec<Event> {
@@ -48,6 +49,7 @@ fn events() -> Vec<Event> {
         Event::SettingsWritten { settings: Vec::new(), limits: Limits::default() },
         Event::ConsoleDone { homed: true, moved: true },
         Event::ConsoleDone { homed: false, moved: false },
+        Event::Cut,
         Event::Warning(error.clone()),
         Event::Fault { error, in_doubt: None, disconnected: true },
     ]
@@ -57,7 +59,7 @@ proptest! {
     /// However a driver reports and whatever is asked: from anywhere to running there is no way without a
     /// person's yes, which is arming or reattaching; and to armed none that does not pass through a reference.
     #[test]
-    fn nothing_runs_that_nobody_confirmed(turns in prop::collection::vec((any::<bool>(), 0_usize..17), 0..60)) {
+    fn nothing_runs_that_nobody_confirmed(turns in prop::collection::vec((any::<bool>(), 0_usize..18), 0..60)) {
         let (mut state, mut confirmed, mut referenced) = (Phase::Connecting, false, false);
         for (is_act, k) in turns {
             let before = state;
@@ -74,6 +76,7 @@ proptest! {
                             confirmed = true;
                         }
                         Act::Home | Act::WriteSettings | Act::Command => (referenced, confirmed) = (false, false),
+                        Act::Cut => prop_assert!(referenced, "{act} from {before}"),
                         Act::Send | Act::Jog | Act::Resume => prop_assert!(confirmed, "{act} from {before}"),
                         Act::Pause | Act::Speed | Act::Ask => {}
                     }
@@ -100,7 +103,7 @@ proptest! {
 
     /// No report makes a machine that was interrupted run: only what was taken before is run by itself.
     #[test]
-    fn an_interrupted_wire_goes_on_at_a_persons_word_alone(reports in prop::collection::vec(0_usize..17, 0..30)) {
+    fn an_interrupted_wire_goes_on_at_a_persons_word_alone(reports in prop::collection::vec(0_usize..18, 0..30)) {
         let mut state = Phase::Interrupted;
         for k in reports {
             state = state.after(&events()[k]);
@@ -167,6 +170,7 @@ fn settings_are_written_at_rest_alone_and_cost_the_reference() {
             Phase::Holding,
             Phase::Interrupted,
             Phase::Commanded,
+            Phase::Cutting,
             Phase::Stopping,
             Phase::Closed,
         ]

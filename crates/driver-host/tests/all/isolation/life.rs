@@ -24,6 +24,7 @@ pub enum Stage {
     WriteSettings,
     Console,
     Home,
+    Cut,
     Jog,
     Arm,
     Send,
@@ -35,11 +36,12 @@ pub enum Stage {
 }
 
 /// The calls that a connected driver is asked, by the word for which the driver listens.
-pub const CALLS: [&str; 11] = [
+pub const CALLS: [&str; 12] = [
     "poll",
     "write-settings",
     "console",
     "home",
+    "cut",
     "jog",
     "arm",
     "send",
@@ -49,7 +51,7 @@ pub const CALLS: [&str; 11] = [
     "disconnect",
 ];
 
-const ORDER: [Stage; 18] = [
+const ORDER: [Stage; 19] = [
     Stage::Start,
     Stage::Open,
     Stage::Encode,
@@ -60,6 +62,7 @@ const ORDER: [Stage; 18] = [
     Stage::WriteSettings,
     Stage::Console,
     Stage::Home,
+    Stage::Cut,
     Stage::Jog,
     Stage::Arm,
     Stage::Send,
@@ -207,6 +210,10 @@ impl<'a> Life<'a> {
             }
             Stage::Home => {
                 permits::home(self.session())?;
+                return self.polled(Phase::Ready);
+            }
+            Stage::Cut => {
+                permits::cut(self.session())?;
                 return self.polled(Phase::Ready);
             }
             Stage::Jog => {

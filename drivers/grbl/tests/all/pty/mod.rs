@@ -133,11 +133,41 @@ fn makes_the_wire(settings: Value) {
     // Feeds and rotations of WIRE added up, where each bend was done; nothing was reset, not even on leaving.
     let made = Record {
         bends: vec![[60.0, 90.0, 90.0], [100.5, 45.0, -60.25], [100.5, 55.0, 30.0]],
+        cuts: Vec::new(),
         at: [170.5, 55.0, 0.0],
         overflowed: false,
         resets: 0,
     };
     assert_eq!(record, made);
+}
+
+/// The blade 12.5 mm beyond the place where a wire begins, and 8 mm within the machine.
+#[test]
+fn a_wire_is_cut_at_the_cutter_and_its_tip_brought_back() {
+    for cutter_mm in [12.5, -8.0, 0.0] {
+        let cut = ["M8", "G4 P0.1", "M9"];
+        let mut bench = bench(json!({"pin_dwell_s": 0.05, "cut": cut, "cutter_mm": cutter_mm}));
+        let session = bench.session.as_mut();
+        connected_and_homed(session);
+        arm_and_send(session, &WIRE);
+        until(session, |event| matches!(event, Event::Finished | Event::Fault { .. }));
+        session.cut().unwrap();
+        assert_eq!(until(session, |event| !matches!(event, Event::Speed { .. })), [Event::Cut]);
+        drop(bench.session);
+        let record = bench.model.end();
+        assert_eq!((record.cuts, record.at), (vec![170.5 + cutter_mm], [170.5, 55.0, 0.0]));
+    }
+}
+
+#[test]
+fn without_lines_that_cut_there_is_no_cutter() {
+    let mut bench = bench(json!({}));
+    let session = bench.session.as_mut();
+    connected_and_homed(session);
+    assert_eq!(session.cut().unwrap_err().code, "no-cutter");
+    let limits = |settings: Value| Grbl::open(serde_json::from_value(settings).unwrap()).unwrap().limits();
+    assert_eq!(limits(json!({"cutter_mm": 3})).cutter_mm, None);
+    assert_eq!(limits(json!({"cutter_mm": 3, "cut": ["M8"]})).cutter_mm, Some(3.0));
 }
 
 #[test]

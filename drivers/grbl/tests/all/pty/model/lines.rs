@@ -74,7 +74,7 @@ impl<P: Read + Write> Controller<P> {
             _ if self.state == State::Alarm => self.say("error:9"),
             // Where the spindle is off already, nothing has to wait for motion.
             "M5" if self.farthest.is_none() => self.say("ok"),
-            "M5" | "M3 S1000" => self.waiting = Some((line.to_owned(), 0)),
+            "M5" | "M3 S1000" | "M8" | "M9" => self.waiting = Some((line.to_owned(), 0)),
             _ if line.starts_with("G92 ") => self.waiting = Some((line.to_owned(), 0)),
             _ if line.starts_with("G4 P") => self.waiting = Some((line.to_owned(), DWELL)),
             _ => self.plan(line),
@@ -125,6 +125,7 @@ impl<P: Read + Write> Controller<P> {
                 self.stand_at_marks();
                 self.planned = [0.0; 3];
             }
+            "M8" => self.record.cuts.push(self.really[0]),
             "M3 S1000" => self.farthest = Some(self.really[2]),
             "M5" => {
                 if let Some(farthest) = self.farthest.take() {

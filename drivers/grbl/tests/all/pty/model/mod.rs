@@ -50,6 +50,8 @@ pub struct Change {
 pub struct Record {
     /// Where feed and rotation stood when the pin was put out, and the farthest that the bend axis was while it was.
     pub bends: Vec<[f64; 3]>,
+    /// Where the feed really was whenever the cutter was on.
+    pub cuts: Vec<f64>,
     /// Where the axes stand.
     pub at: [f64; 3],
     /// More bytes came at once than the buffer holds.
