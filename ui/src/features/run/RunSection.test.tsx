@@ -122,3 +122,26 @@ it("keeps the chosen port when the machine is disconnected, and goes back to no 
   act(() => useRun.setState({ state: machineState("closed") }));
   expect(chosen()).toBe("/dev/ttyACM7");
 });
+
+it("has the machine cut the pieces off where it has a cutter, unless a person does it", () => {
+  const limits = { feasible: true, diagnostics: [], wires: [{ time_s: 60 }] } as unknown as LiveCheck;
+  useDesign.setState({ edges: new Map([[0, { id: 0, a: 0, b: 1 }]]), limits, check: limits });
+  const ready = machineState("ready", "arm", "disconnect");
+  useRun.setState({ state: ready });
+  platform.ask.mockClear();
+  at.show(<RunSection />);
+  const box = () =>
+    [...at.host.querySelectorAll("label")].find(({ textContent }) => textContent === "Cut each piece off");
+  const arm = () => {
+    platform.ask.mockClear();
+    act(() => [...at.host.querySelectorAll("button")].find(({ textContent }) => textContent === "Arm…")?.click());
+    return platform.ask.mock.calls.find(([name]) => name === "order")?.[1].request.repeat;
+  };
+  expect(box()).toBeUndefined();
+  expect(arm()).toMatchObject({ cut: false });
+  act(() => useRun.setState({ state: { ...ready, cutter_mm: 12.5 } }));
+  expect(arm()).toMatchObject({ cut: true });
+  act(() => box()?.querySelector("input")?.click());
+  expect(arm()).toMatchObject({ cut: false });
+  useDesign.setState({ edges: new Map(), limits: null, check: null });
+});
