@@ -236,7 +236,7 @@ fn over() -> DriverError {
     DriverError::new("disconnected", "the connection is over", "connect again")
 }
 
-fn not_idle(state: Option<State>) -> DriverError {
+pub(super) fn not_idle(state: Option<State>) -> DriverError {
     let (name, help) = match state {
         Some(State::Check) => ("Check", "it only pretends to move: leave check mode with $C, or press stop"),
         Some(State::Door { .. }) => ("Door", "close the safety door, then press stop"),

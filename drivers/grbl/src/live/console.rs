@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use wirebend_driver_api::{ConsoleLine, Direction, DriverError, Event, PausedBy};
 
+use super::calls::not_idle;
 use super::phase::{Phase, Typed};
 use super::protocol::Protocol;
 use super::status::State;
@@ -69,8 +70,11 @@ impl Kind {
                 "use 'start_block' of the profile",
             )),
             [b'X'] | [b'I', b'=', ..] | [b'0'..=b'9', ..] => Ok(Self::Command { moves: false }),
-            // Of another firmware: it may do anything.
-            _ => Ok(Self::Command { moves: true }),
+            // Such as `$SD/Run=` of other firmware, which begins a job of its own.
+            _ => Err(refused(
+                "grbl 1.1 has no such command, and the driver would not know what it has begun",
+                "disconnect, and send it with another program",
+            )),
         }
     }
 }
@@ -172,6 +176,10 @@ impl Protocol {
                 self.stream.take(["$$".to_owned()]);
                 self.feed();
             }
+            // Nothing that is sent moves it then, and only a reset leads out of it.
+            Typed::Rest { .. } if answered && matches!(state, State::Check | State::Sleep) => {
+                self.fail(not_idle(Some(state)));
+            }
             Typed::Rest { moves, held } => {
                 let holds = matches!(state, State::Hold { at_rest: true } | State::Door { at_rest: true });
                 if holds && !held {
@@ -215,7 +223,6 @@ mod tests {
             ("G1 X10 F100", changes(true)),
             ("M30", changes(true)),
             ("G4 P1 (M0)", changes(true)),
-            ("$settings/list", changes(true)),
         ] {
             assert_eq!(Kind::of(line), Ok(kind), "{line}");
         }
@@ -237,6 +244,8 @@ mod tests {
             "$C",
             "$SLP",
             "$RST=*",
+            "$SD/Run=a.nc",
+            "$settings/list",
             "$N0=G91",
             "$J=G91 X1 F9",
             "M0",

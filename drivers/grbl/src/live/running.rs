@@ -95,12 +95,13 @@ impl Protocol {
         }
     }
 
-    /// An answer that was lost would never come.
+    /// An answer that was lost would never come. Where nothing moves, no answer takes long.
     pub(super) fn watch_answer(&mut self, state: State) {
         let Some((line, since)) = self.stream.awaited() else { return };
         let patience = std::time::Duration::from_secs(ANSWER_WITHIN_S) + dwell_of(line);
-        if state == State::Idle && self.now.saturating_sub(since) > patience {
-            let what = format!("the machine is idle and has not answered the line '{line}'");
+        let stands = matches!(state, State::Idle | State::Alarm | State::Check | State::Sleep);
+        if stands && self.now.saturating_sub(since) > patience {
+            let what = format!("the machine stands and has not answered the line '{line}'");
             let help = "an answer was lost: see whether the USB cable is sound and away from motor cables";
             self.fail(DriverError::new("unanswered", what, help));
         }

@@ -62,6 +62,8 @@ impl Request {
 pub(super) struct Requests {
     waiting: VecDeque<Request>,
     again_at: Option<Time>,
+    /// A status was heard since the first was sent.
+    status_heard: bool,
 }
 
 impl Requests {
@@ -89,19 +91,21 @@ impl Requests {
         let first = *self.waiting.front()?;
         is_answer(first).then(|| {
             self.waiting.pop_front();
-            self.again_at = None;
+            (self.again_at, self.status_heard) = (None, false);
             first
         })
     }
 
     /// The request whose effect this status shows.
     pub fn status(&mut self, status: &Status) -> Option<Request> {
+        // The first may have been on its way already: of a machine that was not homed before, it would show nothing.
+        let later = self.again_at.is_some() && std::mem::replace(&mut self.status_heard, true);
         self.answered(|ask| match ask {
             Request::Pause => status.state == State::Hold,
             Request::Resume => matches!(status.state, State::Idle | State::Run),
             Request::Head(steps) => status.position[1] == steps,
             Request::Status => true,
-            Request::Release => !status.homed,
+            Request::Release => !status.homed && later,
             Request::Speed(_)
             | Request::Read(_)
             | Request::Write(..)
@@ -140,6 +144,7 @@ impl Requests {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::protocol::Alarm;
 
     /// Both would be answered, and a refusal of the second be taken for one of the request after it.
     #[test]
@@ -152,5 +157,26 @@ mod tests {
         assert_eq!(requests.due(STORED_WITHIN).as_deref(), Some("W3,5"));
         assert_eq!(requests.refused(b'W'), Some(Request::Write(3, 5)));
         assert_eq!(requests.refused(b'W'), None, "the next has not been sent");
+    }
+
+    /// A status that was on its way already shows nothing of a machine that was not homed before.
+    #[test]
+    fn the_motors_are_off_once_a_status_after_that_says_so() {
+        let status = Status {
+            state: State::Idle,
+            alarm: Alarm::None,
+            position: [0; 3],
+            last: 0,
+            done: 0,
+            peg_out: None,
+            switch: false,
+            homed: false,
+        };
+        let mut requests = Requests::default();
+        requests.push(Request::Release);
+        assert_eq!(requests.status(&status), None, "it was not sent");
+        assert!(requests.due(Time::ZERO).is_some());
+        assert_eq!(requests.status(&status), None, "it may be from before");
+        assert_eq!(requests.status(&status), Some(Request::Release));
     }
 }
