@@ -42,7 +42,7 @@ pub(crate) struct ToRunArgs {
     /// Wire that a program is for, by id; without it the one that the machine's profile names
     #[arg(long, value_name = "ID")]
     pub material: Option<String>,
-    /// Run a program although the machine cannot make it as it stands
+    /// Run a program although the machine cannot make it as it stands, or a wire although it hits the machine or itself
     #[arg(long)]
     pub despite_errors: bool,
     #[command(flatten)]

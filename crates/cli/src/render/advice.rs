@@ -107,7 +107,7 @@ fn one(remedy: &ErrorRemedy) -> String {
         }
         R::ImportOriginal => "import the original again".to_owned(),
         R::FixFindings => "fix what `wirebend check` finds".to_owned(),
-        R::IgnoreFindings => "write it anyway with --despite-errors".to_owned(),
+        R::IgnoreFindings => "go on anyway with --despite-errors".to_owned(),
         R::SaveDesign => "save the design".to_owned(),
         R::OpenDesign => "resume it by its job: `wirebend run JOB --resume`".to_owned(),
         R::TrustDriver { file, again } => {

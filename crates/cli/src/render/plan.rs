@@ -28,7 +28,7 @@ pub(super) fn plan(out: &mut impl Write, found: &PlanResponse) -> std::io::Resul
     if found.withheld {
         // A job holds what is sent to the machine, which a bend beyond its reach has not.
         let despite = wires.iter().all(|wire| wire.compensated.is_some());
-        let or = if despite { ", or write it anyway with --despite-errors" } else { "" };
+        let or = if despite { ", or go on anyway with --despite-errors" } else { "" };
         writeln!(out, "no job was written: fix the errors above{or}")?;
     }
     written(out, found.output.iter())

@@ -39,7 +39,7 @@ pub struct RunRequest {
     /// The wire that a program is for; absent, the one that the machine's profile names.
     #[serde(default)]
     pub material: Option<String>,
-    /// Whether to run a program although a check says that the machine cannot make it.
+    /// Whether to run a program although a check says that the machine cannot make it, or a wire although it hits the machine or itself.
     #[serde(default)]
     pub despite_errors: bool,
     /// Where the machine is; absent, the machine that its driver simulates is taken, if it has one. A wire resumes

@@ -358,20 +358,26 @@ impl<'a> Task<'a> {
     }
 }
 
-/// Refuses a program that the machine cannot make, unless a person wants it run all the same. Who planned a job despite an error knew
-/// it.
+/// Refuses what the machine cannot make, and a wire that hits it or itself, unless a person wants it run all the same. Who planned a job
+/// despite an error knew it.
 fn require_feasible(
     file: &str,
     job: &Job,
     setup: &Setup,
     request: &RunRequest,
 ) -> Result<(), OperationError> {
-    let errors = job.contents().program.is_some() && !job.contents().objections.is_empty();
-    if !errors || request.despite_errors || request.how != RunHow::Begin {
+    let known = job.contents().program.is_none() && !job.contents().objections.is_empty();
+    if known || request.despite_errors || request.how != RunHow::Begin {
         return Ok(());
     }
-    let report = Box::new(GivenWires::of(file, job, setup)?.report(setup));
-    Err(PlanningError::NotFeasible { machine: setup.machine_id().to_owned(), report }.into())
+    let mut given = GivenWires::of(file, job, setup)?;
+    // Where the search does not end in time, the user reads that before they say yes.
+    given.find_collisions(setup);
+    if !given.feasible() {
+        let report = Box::new(given.report(setup));
+        return Err(PlanningError::NotFeasible { machine: setup.machine_id().to_owned(), report }.into());
+    }
+    Ok(())
 }
 
 /// Whether nobody can read it any more. One that the system does not give, or a later program has written, can be read another time.

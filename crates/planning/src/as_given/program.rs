@@ -132,7 +132,8 @@ fn of_program(name: &str, bytes: &[u8], opened: &Opened, setup: &Setup) -> Resul
 }
 
 /// An id for each point of a path. Points that lie within `reach` mm of each other are one: the numbers of a program are rounded, and
-/// where the middles of wires come closer than half of the wire they are joined. Each point is another one than that before it.
+/// where the middles of wires come closer than half of the wire they are joined. Points that only follow each other closely, as along a
+/// curve, are not: between the visits of a joint the wire goes away from it and back.
 fn vertices(path: &[Point3<f64>], reach: f64) -> Vec<u32> {
     let cell = |point: &Point3<f64>| point.coords.map(|mm| (mm / reach).floor());
     let key = |cell: Vector3<f64>| [cell.x, cell.y, cell.z].map(f64::to_bits);
@@ -142,18 +143,29 @@ fn vertices(path: &[Point3<f64>], reach: f64) -> Vec<u32> {
     let mut known: Vec<Point3<f64>> = Vec::new();
     let mut cells: BTreeMap<[u64; 3], Vec<usize>> = BTreeMap::new();
     let mut order: Vec<usize> = Vec::new();
-    for point in path {
+    // How far along the wire each of them was met last.
+    let (mut along, mut met): (f64, Vec<f64>) = (0.0, Vec::new());
+    for (index, point) in path.iter().enumerate() {
+        along += index
+            .checked_sub(1)
+            .and_then(|before| path.get(before))
+            .map_or(0.0, |from| (point - from).norm());
         let off = |id: usize| (known[id] - point).norm();
         // Zero and -0.0 are one cell.
         let near =
             around.iter().filter_map(|off| cells.get(&key(cell(point) + off + Vector3::zeros()))).flatten();
-        let near = near.copied().filter(|&id| order.last() != Some(&id) && off(id) <= reach);
+        // The wire may come closer still.
+        let closest = |id: usize| path.get(index + 1).is_none_or(|next| (known[id] - next).norm() >= off(id));
+        let apart = |id: usize| along - met[id] > 2.0 * reach;
+        let near = near.copied().filter(|&id| off(id) <= reach && apart(id) && closest(id));
         let nearest = near.min_by(|&one, &other| off(one).total_cmp(&off(other)).then(one.cmp(&other)));
         let id = nearest.unwrap_or(known.len());
         if id == known.len() {
             known.push(*point);
+            met.push(along);
             cells.entry(key(cell(point) + Vector3::zeros())).or_default().push(id);
         }
+        met[id] = along;
         order.push(id);
     }
     order.into_iter().map(|id| u32::try_from(id).unwrap_or(u32::MAX)).collect()
@@ -173,6 +185,19 @@ mod tests {
         assert_eq!(vertices(&path.map(Point3::from), 1.5), [0, 1, 2, 3, 0]);
         let apart = [[0.0, 0.0, 0.0], [30.0, 0.0, 0.0], [30.0, 30.0, 0.0], [0.0, 1.6, 0.0]];
         assert_eq!(vertices(&apart.map(Point3::from), 1.5), [0, 1, 2, 3]);
+    }
+
+    /// A curve in steps that are shorter than half of the wire is no row of joints; where it closes, it is one.
+    #[test]
+    fn points_that_are_close_along_the_wire_stay_apart() {
+        let line: Vec<_> = (0..40).map(|k| Point3::new(0.5 * f64::from(k), 0.0, 0.0)).collect();
+        assert_eq!(vertices(&line, 1.5), (0..40).collect::<Vec<_>>());
+        let turn = |k: u32| f64::from(k) / 60.0 * std::f64::consts::TAU;
+        let circle: Vec<_> =
+            (0..=60).map(|k| Point3::new(10.0 * turn(k).cos(), 10.0 * turn(k).sin(), 0.01)).collect();
+        let ids = vertices(&circle, 1.5);
+        assert_eq!(ids[..60], (0..60).collect::<Vec<_>>());
+        assert_eq!(ids[60], 0, "it closes");
     }
 
     #[test]

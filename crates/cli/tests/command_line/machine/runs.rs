@@ -359,3 +359,17 @@ fn a_profile_that_was_changed_since_the_job_was_planned_is_told() {
         "{said}"
     );
 }
+
+/// A wire that hits itself is bent if a person wants it all the same, whether it comes as a job or as the text of the machine.
+#[test]
+fn what_hits_itself_is_run_only_on_request() {
+    let shop = Shop::planned("truss-1.obj", &["--double"]);
+    shop.run(&["export", "a.wbjob", "-o", "a.txt"]).ended(0);
+    for file in [&["a.wbjob"][..], &["a.txt", "-m", "wirebend-kit"]] {
+        let arguments = [&["run"], file, &["--port", "sim:max", "--yes"]].concat();
+        let said = shop.run(&arguments).ended(4).err;
+        assert!(said.contains("meets_stock") && said.contains("--despite-errors"), "{said}");
+        assert!(shop.list().is_empty(), "a wire was begun");
+    }
+    shop.run(&["run", "a.wbjob", "--port", "sim:max", "--yes", "--despite-errors"]).ended(0);
+}
