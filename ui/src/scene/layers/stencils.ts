@@ -5,7 +5,7 @@ import type { Shared } from "../drawing/shading";
 import type { Theme } from "../drawing/theme";
 import type { SceneStencil, Vec3 } from "../interface";
 import { lifted } from "../picking/lift";
-import type { SurfaceTargets } from "../picking/snap";
+import type { StencilTargets, SurfaceTargets } from "../picking/snap";
 import { type Candidate, nearestTargets } from "../picking/stencil_targets";
 import { distance, dot, type Ray, scale } from "../vec";
 import type { Projection } from "../view/projection";
@@ -82,21 +82,28 @@ export class Stencils implements SurfaceTargets {
     return this.shown.length === 0;
   }
 
-  near(
-    projection: Projection,
-    x: number,
-    y: number,
-    reach: number,
-  ): { vertex: Vec3 | null; edge: Vec3 | null; surface: Vec3 | null } {
+  near(projection: Projection, x: number, y: number, reach: number): StencilTargets {
+    return this.nearOff(projection, x, y, reach, this.offset);
+  }
+
+  /** The stencils as they are, whatever the offset. */
+  get bare(): SurfaceTargets {
+    return {
+      near: (projection, x, y, reach) => this.nearOff(projection, x, y, reach, 0),
+      hides: (projection, at) => this.hides(projection, at),
+    };
+  }
+
+  private nearOff(projection: Projection, x: number, y: number, reach: number, offset: number): StencilTargets {
     const hit = this.hit(projection.ray(x, y)) ?? this.hitAround(projection, x, y, reach);
-    if (!hit) return { vertex: null, edge: null, surface: null };
+    if (!hit) return { vertex: null, edge: null, side: null, surface: null };
     const triangles = hit.surface.fewTrianglesAround(hit.at, reach * projection.pixel(hit.at));
-    const { vertex, edge } = nearestTargets(triangles, projection, x, y, reach);
-    if (this.offset === 0) return { vertex, edge, surface: hit.at };
+    const { vertex, edge, side: whole } = nearestTargets(triangles, projection, x, y, reach);
+    if (offset === 0) return { vertex, edge, side: whole, surface: hit.at };
     const flipped = dot(hit.normal, projection.ray(x, y).direction) > 0;
     const side = flipped ? scale(hit.normal, -1) : hit.normal;
-    const off = (at: Vec3 | null, on: readonly Candidate[]) => at && lifted(at, on, side, flipped, this.offset);
-    return { vertex: off(vertex, triangles), edge: off(edge, triangles), surface: off(hit.at, []) };
+    const off = (at: Vec3 | null, on: readonly Candidate[]) => at && lifted(at, on, side, flipped, offset);
+    return { vertex: off(vertex, triangles), edge: off(edge, triangles), side: null, surface: off(hit.at, []) };
   }
 
   hides(projection: Projection, at: Vec3): boolean {

@@ -40,19 +40,23 @@ export interface SnapTarget {
   /** The edge that would be split, and where: 0 at `a`, 1 at `b`. */
   readonly edge?: number;
   readonly along?: number;
-  /** The construction line that it is on, between its ends and its middle. */
+  /** The construction line that it is on, between its ends and its middle, or the side of the stencil. */
   readonly line?: Line;
+}
+
+/** What of a stencil is near the pointer. */
+export interface StencilTargets {
+  readonly vertex: Vec3 | null;
+  readonly edge: Vec3 | null;
+  /** The side of a triangle that the place on an edge is on; none of what is off the surface. */
+  readonly side: Line | null;
+  readonly surface: Vec3 | null;
 }
 
 /** What there is to snap to on the surface that is traced. */
 export interface SurfaceTargets {
   /** The nearest corner and edge of triangles within `reach` CSS pixels, and the place under the pointer. */
-  near(
-    projection: Projection,
-    x: number,
-    y: number,
-    reach: number,
-  ): { vertex: Vec3 | null; edge: Vec3 | null; surface: Vec3 | null };
+  near(projection: Projection, x: number, y: number, reach: number): StencilTargets;
   /** Whether the surface is in front of a place. */
   hides(projection: Projection, at: Vec3): boolean;
 }
@@ -100,7 +104,9 @@ export function snap(place: SnapPlace, settings: SnapSettings, x: number, y: num
     if (there !== null && !without.vertices.has(there)) return { kind: "vertex", at: near.vertex, vertex: there };
     return { kind: "stencil-vertex", at: near.vertex };
   }
-  if (kinds.has("stencil-edge") && near?.edge) return { kind: "stencil-edge", at: near.edge };
+  if (kinds.has("stencil-edge") && near?.edge) {
+    return { kind: "stencil-edge", at: near.edge, ...(near.side && { line: near.side }) };
+  }
   if (kinds.has("edge") || kinds.has("edge-middle")) {
     const found = pickEdge(design, projection, x, y, reach, (row) => excluded(design, row, without));
     const half = kinds.has("edge-middle") && found ? middleOf(design, found.id) : null;

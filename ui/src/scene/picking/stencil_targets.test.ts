@@ -36,6 +36,6 @@ describe("nearestTargets", () => {
     const projection = projectionOf("front");
     const { x, y } = projection.seen([10, 0, 0]);
     expect(nearestTargets([FRONT], projection, x, y, 12).vertex).toEqual([10, 0, 0]);
-    expect(nearestTargets([FRONT], projection, x + 40, y, 12)).toEqual({ vertex: null, edge: null });
+    expect(nearestTargets([FRONT], projection, x + 40, y, 12)).toEqual({ vertex: null, edge: null, side: null });
   });
 });

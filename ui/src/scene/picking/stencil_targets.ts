@@ -29,9 +29,9 @@ export function nearestTargets(
   x: number,
   y: number,
   reach: number,
-): { vertex: Vec3 | null; edge: Vec3 | null } {
+): { vertex: Vec3 | null; edge: Vec3 | null; side: readonly [Vec3, Vec3] | null } {
   const vertices: Found[] = [];
-  const edges: Found[] = [];
+  const edges: (Found & { readonly side: readonly [Vec3, Vec3] })[] = [];
   const sides = new Map<string, { ends: [Vec3, Vec3]; normals: Vec3[] }>();
   for (const { corners, normal } of triangles) {
     corners.forEach((corner, i) => {
@@ -50,8 +50,9 @@ export function nearestTargets(
     const [first, second] = normals;
     if (normals.length === 2 && first && second && Math.abs(dot(first, second)) > FLAT) continue;
     const near = nearOnSegment(projection, ends[0], ends[1], x, y);
-    if (near && near.off <= reach) edges.push(near);
+    if (near && near.off <= reach) edges.push({ ...near, side: ends });
   }
   // A side that is seen edge-on has its far corner where its near one is: that one is behind the surface.
-  return { vertex: nearest(vertices)?.at ?? null, edge: nearest(edges)?.at ?? null };
+  const edge = nearest(edges);
+  return { vertex: nearest(vertices)?.at ?? null, edge: edge?.at ?? null, side: edge?.side ?? null };
 }

@@ -74,6 +74,7 @@ it("takes whatever is there: a vertex, an edge or its middle, a construction lin
     [60, -101, { from: [-100, 20, -100], to: [100, 20, -100] }],
     [-99, -99, point(-100, 20, -100)],
     [201, 99, point(200, 0, 100)],
+    [260, 1, { from: [200, 0, 0], to: [300, 0, 0] }],
   ];
   for (const [x, z, thing] of things) {
     click(x, z);
@@ -112,4 +113,10 @@ it("forgets by Esc, with another design and with another tool, and lets Esc pass
   // A click on nothing takes nothing.
   click(-300, 200);
   expect(told()).toEqual([]);
+});
+
+it("measures the stencil itself, also where tracing is off it", () => {
+  stage.stencils.offset = 1.5;
+  click(201, 99);
+  expect(told()).toEqual([point(200, 0, 100)]);
 });

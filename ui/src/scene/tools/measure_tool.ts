@@ -102,7 +102,7 @@ export class MeasureTool implements ToolHandler {
     const place = {
       design: stage.design,
       projection: stage.projection,
-      stencil: stage.stencils.empty ? null : stage.stencils,
+      stencil: stage.stencils.empty ? null : stage.stencils.bare,
       construction: stage.construction.all,
       plane: null,
       without: NOTHING,
@@ -111,7 +111,7 @@ export class MeasureTool implements ToolHandler {
     return target && { kind: target.kind, at: target.at, ...this.extent(target) };
   }
 
-  /** An edge and a construction line are measured as a whole, anything else is a place. */
+  /** An edge, a construction line and a side of a stencil are measured as a whole, anything else is a place. */
   private extent({ kind, at, edge, line }: SnapTarget): MeasuredThing {
     const row = kind === "edge" && edge !== undefined ? this.stage.design.edgeRow(edge) : undefined;
     const whole = row === undefined ? line : this.stage.design.segment(row);
