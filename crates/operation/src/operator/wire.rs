@@ -12,7 +12,7 @@ use super::thread::{OperatorThread, with_power};
 use super::unfinished::Unfinished;
 use crate::error::OperatorError;
 use crate::live::{Answers, Connection, Unnamed, Zero, connect};
-use crate::run::{Task, WirePermit, about};
+use crate::run::{AfterCut, Task, WirePermit, about};
 use crate::{Decided, LiveProblem, OperationError, Repeat, RunHow, RunRequest, RunResponse};
 use wirebend_planning::design::Input;
 
@@ -80,18 +80,19 @@ impl<'a> OperatorThread<'a> {
                 task.wire_made(wire, true)?;
                 response.pieces = task.pieces.get().report();
             }
-            let cut = match (&row, &mut self.connection) {
+            let after = match (row, &mut self.connection) {
                 (Some(row), Some(connection)) if whole => task.cut_off(connection, row, &mut response),
-                _ => true,
+                _ => AfterCut::Asks,
             };
             self.tell_run(&task, wire, response);
             made?;
-            if !whole || !cut || task.pieces.get().are_done() {
+            if !whole || task.pieces.get().are_done() {
                 return Ok(());
             }
-            permit = match row.filter(|_| task.goes_on(wire)) {
-                Some(row) => row,
-                None => self.ask_for_next(&task, wire, done_by)?,
+            permit = match after {
+                AfterCut::Ends => return Ok(()),
+                AfterCut::GoesOn(row) if task.goes_on(wire) => row,
+                AfterCut::GoesOn(_) | AfterCut::Asks => self.ask_for_next(&task, wire, done_by)?,
             };
             task.wire_confirmed(wire)?;
             let told = WireState::of(&task, wire, task.request.job.stem(), 0, done_by);

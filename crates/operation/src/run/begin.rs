@@ -6,7 +6,7 @@ use wirebend_driver_host::Permit;
 use wirebend_driver_host::jobs::{Clock, Heading, JobRun, Journal, WireJob};
 
 use super::about::about;
-use super::cutting::WirePermit;
+use super::cutting::{AfterCut, WirePermit};
 use super::making::{Making, Watch};
 use super::report::{LeftBecause, RunResponse};
 use super::task::Task;
@@ -60,13 +60,16 @@ impl Task<'_> {
                 }
                 self.wire_made(wire, place + 1 == wanted.len())?;
                 response.pieces = self.pieces.get().report();
-                row = of_row;
-                if let Some(row) = &row
-                    && !self.cut_off(&mut connection, row, &mut response)
-                {
-                    response.left = wanted[place + 1..].to_vec();
-                    response.notes.append(&mut connection.observer.warnings);
-                    return Ok(response);
+                if let Some(of_row) = of_row {
+                    row = match self.cut_off(&mut connection, of_row, &mut response) {
+                        AfterCut::GoesOn(row) => Some(row),
+                        AfterCut::Asks => None,
+                        AfterCut::Ends => {
+                            response.left = wanted[place + 1..].to_vec();
+                            response.notes.append(&mut connection.observer.warnings);
+                            return Ok(response);
+                        }
+                    };
                 }
             }
         }

@@ -4,6 +4,7 @@ use wirebend_driver_host::api::{Capability, Event};
 use wirebend_driver_host::{Permit, PermitKind, Session, Standstill};
 use wirebend_error::ProblemReport;
 
+use super::making::Watch;
 use super::report::RunResponse;
 use super::task::Task;
 use crate::live::{Connection, refused, stop_of};
@@ -18,6 +19,16 @@ pub struct WirePermit {
     pub wire: Permit,
     /// For those that follow it, and the cuts.
     pub row: Option<Permit>,
+}
+
+/// What follows a wire that was to be cut off.
+pub enum AfterCut {
+    /// The next one, as a person has permitted.
+    GoesOn(Permit),
+    /// The next one, once a person has said that it may: the computer slept meanwhile, and they may have their hands in the machine.
+    Asks,
+    /// Nothing: it is not cut off.
+    Ends,
 }
 
 impl WirePermit {
@@ -62,9 +73,12 @@ impl Task<'_> {
         if self.request.repeat.cut { PermitKind::Row } else { PermitKind::Wire }
     }
 
-    /// Cuts off the wire that has come to its end. Whether it is cut off; if not, the report of the wire says why.
-    pub fn cut_off(&self, connection: &mut Connection, row: &Permit, response: &mut RunResponse) -> bool {
-        let Err(error) = cut(connection, row) else { return true };
+    /// Cuts off the wire that has come to its end. If that fails, the report of the wire says why.
+    pub fn cut_off(&self, connection: &mut Connection, row: Permit, response: &mut RunResponse) -> AfterCut {
+        let mut watch = Watch::default();
+        let Err(error) = cut(connection, &row, &mut watch) else {
+            return if watch.was_away() { AfterCut::Asks } else { AfterCut::GoesOn(row) };
+        };
         let stop = stop_of(&connection.session);
         let standstill = connection.await_standstill();
         if let Some(made) = response.wires.last_mut() {
@@ -78,11 +92,11 @@ impl Task<'_> {
             (made.problem, made.standstill) = (Some(ProblemReport::from(&error)), standstill);
             made.stopped_by = stop.map(|outcome| outcome.by);
         }
-        false
+        AfterCut::Ends
     }
 }
 
-fn cut(connection: &mut Connection, row: &Permit) -> Result<(), LiveProblem> {
+fn cut(connection: &mut Connection, row: &Permit, watch: &mut Watch) -> Result<(), LiveProblem> {
     connection.observer.moved();
     connection.observer.progress.stage("cutting the wire off");
     // Where it ends before its end, the tip is not where a wire begins.
@@ -91,7 +105,11 @@ fn cut(connection: &mut Connection, row: &Permit) -> Result<(), LiveProblem> {
     let begun = session.cut(row);
     begun.map_err(|error| refused(session, error, DURING))?;
     connection.observer.publish(&connection.session);
-    while !connection.look_until_held(DURING)?.iter().any(|event| matches!(event, Event::Cut)) {}
+    watch.look();
+    while !connection.look_until_held(DURING)?.iter().any(|event| matches!(event, Event::Cut)) {
+        watch.look();
+    }
+    watch.look();
     connection.wire_used = false;
     connection.observer.publish(&connection.session);
     Ok(())

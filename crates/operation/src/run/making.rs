@@ -44,7 +44,7 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    fn look(&mut self) {
+    pub(super) fn look(&mut self) {
         let now = SystemTime::now();
         let before = self.looked.replace(now);
         // A clock that was set back says nothing.
@@ -55,7 +55,7 @@ impl Watch {
     }
 
     /// Whether it was away shortly before.
-    fn was_away(&self) -> bool {
+    pub(super) fn was_away(&self) -> bool {
         self.away.is_some_and(|back| back.elapsed() < AWAY)
     }
 }

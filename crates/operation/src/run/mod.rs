@@ -20,7 +20,7 @@ use crate::FrontEnd;
 use crate::live::Answers;
 use crate::{Decided, OperationError, Repeat};
 pub use about::about;
-pub use cutting::WirePermit;
+pub use cutting::{AfterCut, WirePermit};
 pub use report::{LeftBecause, RunOutcome, RunResponse, StoppedIn, WireRun};
 pub use task::Task;
 use wirebend_planning::Installation;

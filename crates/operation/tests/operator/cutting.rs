@@ -103,8 +103,7 @@ fn a_stop_while_the_wire_is_cut_ends_the_row() {
     seat.says(Answer::Yes);
     seat.until_phase(Phase::Armed);
     seat.order(&json!({"order": "start"}));
-    seat.until_state(|state| state.doing.as_deref() == Some("cutting the wire off"));
-    assert!(seat.operator.state().may_move);
+    seat.until_state(|state| state.doing.as_deref() == Some("cutting the wire off") && state.may_move);
     assert!(seat.operator.stop());
     let (code, _) = seat.until_problem();
     assert_eq!(code, "stopped");
