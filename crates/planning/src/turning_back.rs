@@ -4,7 +4,7 @@ use wirebend_core::bend::{Frame, Step, replay};
 use wirebend_core::compensate::CompensatedProgram;
 use wirebend_core::route::Route;
 use wirebend_core::simulate::formed_steps;
-use wirebend_core::units::Length;
+use wirebend_core::units::{Angle, Length};
 use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_files::read::wireframe_of_path;
 
@@ -95,6 +95,7 @@ impl Opened {
                 setup.machine_id(),
                 setup.material_id()
             ), remedies: vec![ErrorRemedy::TakeAsNominal] });
+        self.notes.extend(not_bent(&told, &steps));
         self.program = Some(ReadProgram { steps, order, known: Known::Design, ..program });
         Ok(self)
     }
@@ -139,6 +140,29 @@ fn left(told: &[Step], setup: &Setup) -> Result<Vec<Step>, usize> {
     Ok(steps)
 }
 
+/// What a person takes for bends and is none.
+fn not_bent(told: &[Step], left: &[Step]) -> Option<NoteReport> {
+    let is_lost =
+        |(told, left): (&Step, &Step)| told.bend.deg().abs() > SLIGHT_DEG && left.bend == Angle::ZERO;
+    let lost: Vec<usize> =
+        told.iter().zip(left).map(is_lost).enumerate().filter_map(|(k, lost)| lost.then_some(k)).collect();
+    let &first = lost.first()?;
+    let more = match lost.len() - 1 {
+        0 => String::new(),
+        1 => ", and in 1 later step".to_owned(),
+        later => format!(", and in {later} later steps"),
+    };
+    let message = format!(
+        "step {}: the bend axis went to {:.1}° and bends nothing: the wire that is fed ends within the reach of the bend pin, or springs back whole{more}",
+        first + 1,
+        told[first].bend.deg(),
+    );
+    Some(NoteReport { code: "not-bent".into(), count: lost.len(), message, remedies: Vec::new() })
+}
+
+/// A smaller command is a rounded zero.
+const SLIGHT_DEG: f64 = 0.5;
+
 /// The same, with feeds below 0 where one is too short for its bends.
 pub(crate) fn corner_to_corner(told: &[Step], setup: &Setup) -> Vec<Step> {
     let compensation = &setup.model.compensation;
@@ -153,6 +177,24 @@ mod tests {
     use super::*;
     use crate::design::DesignInput;
     use crate::program::ProgramKind;
+
+    /// 10 mm of wire are not reached by a peg that comes out 20 mm beside the nozzle.
+    #[test]
+    fn a_bend_that_bends_nothing_is_named() {
+        let app = Installation::new(&[]).unwrap();
+        let notes = |feed: f64| {
+            let moves = format!("f {feed}\nb 45\nf {feed}\nb 60\nf 50\n");
+            let input =
+                DesignInput { program: Some(ProgramKind::Compensated), ..DesignInput::file("a.txt".into()) };
+            let opened = input.open_bytes("a.txt".to_owned(), moves.as_bytes(), None).unwrap();
+            let choices = PlanChoices { machine: Some("wirebend-kit".to_owned()), ..PlanChoices::default() };
+            app.designed(opened, &choices).unwrap().notes
+        };
+        let found = notes(10.0);
+        let note = found.iter().find(|note| note.code == "not-bent").unwrap();
+        assert!(note.message.starts_with("step 1: the bend axis went to 45.0°"), "{}", note.message);
+        assert!(notes(50.0).iter().all(|note| note.code != "not-bent"));
+    }
 
     /// With the springback of another machine 90° would become 66.5°, and nothing would be wrong with that.
     #[test]
