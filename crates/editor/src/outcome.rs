@@ -20,6 +20,8 @@ pub enum EditOutcome {
         shortest_mm: f64,
         /// What it has to be at least.
         needed_mm: f64,
+        /// The nearest radius of which no check warns: the one that was asked for where that is so; null where there is none.
+        clear_mm: Option<f64>,
     },
     /// A fillet that cannot be made.
     NoFillet {
@@ -31,7 +33,8 @@ pub enum EditOutcome {
         length_mm: f64,
         /// What it has to be at least.
         needed_mm: f64,
-        /// The nearest radius that can be made at all corners; null where there is none.
+        /// The nearest radius that can be made at all corners, and where there is one such, of which no check warns; null where there
+        /// is none.
         nearest_mm: Option<f64>,
     },
     /// A shape, which can be drawn whether its edges can be made or not.
@@ -90,9 +93,12 @@ impl Editor {
 impl From<Outcome> for EditOutcome {
     fn from(outcome: Outcome) -> Self {
         match outcome {
-            Outcome::Fillet(FilletOutcome { chords, shortest, needed }) => {
-                Self::Fillet { chords, shortest_mm: shortest.mm(), needed_mm: needed.mm() }
-            }
+            Outcome::Fillet(FilletOutcome { chords, shortest, needed, clear }) => Self::Fillet {
+                chords,
+                shortest_mm: shortest.mm(),
+                needed_mm: needed.mm(),
+                clear_mm: clear.map(Length::mm),
+            },
             Outcome::Shape(ShapeOutcome { edges, length, needed, fits, fitting }) => {
                 Self::Shape { edges, length_mm: length.mm(), needed_mm: needed.mm(), fits, fitting }
             }

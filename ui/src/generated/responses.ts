@@ -1425,6 +1425,10 @@ export type EditOutcome =
        */
       chords: number[];
       /**
+       * The nearest radius of which no check warns: the one that was asked for where that is so; null where there is none.
+       */
+      clear_mm: number | null;
+      /**
        * What it has to be at least.
        */
       needed_mm: number;
@@ -1440,7 +1444,8 @@ export type EditOutcome =
        */
       length_mm: number;
       /**
-       * The nearest radius that can be made at all corners; null where there is none.
+       * The nearest radius that can be made at all corners, and where there is one such, of which no check warns; null where there
+       * is none.
        */
       nearest_mm: number | null;
       /**

@@ -42,7 +42,7 @@ use crate::compensate::{CompensatedProgram, Compensation, StepError};
 use crate::route::{Doubling, ForcedBend, Route};
 use crate::schedule::{RotationOutOfRange, ScheduledProgram};
 use crate::units::{Angle, Length};
-use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
+use crate::wireframe::{Component, EdgeId, NEAR_LIMIT, VertexId, Wireframe};
 
 /// What a machine can do.
 #[derive(Debug, Clone, PartialEq)]
@@ -252,9 +252,9 @@ pub(crate) fn check_contacts(wire: &WireStages) -> Vec<Diagnostic> {
 /// What arithmetic may leave between a value and a limit that it is at, mm or degrees.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether a value is on the right side of a limit, but by less than a twentieth of it.
+/// Whether a value is on the right side of a limit, but near it.
 fn is_near(distance: f64, limit: f64) -> bool {
-    distance >= 0.0 && distance < 0.05 * limit.abs()
+    distance >= 0.0 && distance < NEAR_LIMIT * limit.abs()
 }
 
 #[cfg(test)]

@@ -19,8 +19,8 @@ mod welder;
 pub use components::Component;
 pub use delta::{Change, Delta, StaleDelta};
 pub use edits::{
-    ChordLimits, Edit, EditError, FilletFault, FilletOutcome, MergeAt, MirrorMode, Outcome, PolygonSize,
-    Rest, ShapeOutcome, ShapePlane,
+    ChordLimits, Edit, EditError, FilletFault, FilletOutcome, MergeAt, MirrorMode, NEAR_LIMIT, Outcome,
+    PolygonSize, Rest, ShapeOutcome, ShapePlane,
 };
 pub use graph::{Edge, EdgeId, NextIds, Vertex, VertexId, Wireframe, WireframeError};
 pub use joint::{Joint, JointKind};

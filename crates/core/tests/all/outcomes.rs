@@ -108,6 +108,11 @@ proptest! {
                 prop_assert_eq!(usize::try_from(told.chords.iter().sum::<u32>()).unwrap(), made.len());
                 prop_assert!((told.shortest.mm() - least(&made)).abs() < 1e-6);
                 prop_assert!(told.shortest.mm() >= told.needed.mm() - 1e-6);
+                if let Some(clear) = told.clear {
+                    let again = of_fillet(&fillet(&corners, clear.mm(), step, limits), &w);
+                    prop_assert_eq!(again.clear, Some(clear));
+                    prop_assert!(again.shortest.mm() >= 1.05 * limits.min_edge.mm());
+                }
             }
             Err(EditError::Fillet { nearest, fault, length, min_edge, radius: asked, vertex }) => {
                 let again = EditError::Fillet { nearest, fault, length, min_edge, radius: asked, vertex };
@@ -157,8 +162,9 @@ fn a_fillet_has_as_many_chords_as_step_and_machine_allow() {
     assert_eq!((told.chords, told.needed), (vec![4], mm(20.0)));
 }
 
-/// Two chords of a quarter are 2·r·sin 22.5°: 7.654 mm at 10 mm, and 20 mm from 26.13 mm on. Of 200 mm between two corners a radius
-/// of 95 mm leaves 10 mm, and one of 100 mm nothing that could be too short.
+/// Two chords of a quarter are 2·r·sin 22.5°: 7.654 mm at 10 mm, and 21 mm, of which no check warns where 20 mm are needed, from
+/// 27.44 mm on. Of 200 mm between two corners a radius of 95 mm leaves 10 mm, one of less than 89.5 mm 21 mm, and one of 100 mm
+/// nothing that could be too short.
 #[test]
 fn a_fillet_that_does_not_fit_says_what_is_too_short_and_the_nearest_radius() {
     let refused = |edit: Edit| match edit.outcome(&square(), &ChordLimits::default()) {
@@ -168,15 +174,15 @@ fn a_fillet_that_does_not_fit_says_what_is_too_short_and_the_nearest_radius() {
         other => panic!("{other:?}"),
     };
     let (fault, length, nearest) = refused(fillet(&[1], 10.0, 15.0, designed(20.0)));
-    assert_eq!((fault, nearest), (FilletFault::Chords, Some(26.2)));
+    assert_eq!((fault, nearest), (FilletFault::Chords, Some(27.5)));
     assert!((length - 7.654).abs() < 1e-3);
     let (fault, length, nearest) = refused(fillet(&[1, 2], 95.0, 15.0, designed(20.0)));
-    assert_eq!((fault, nearest), (FilletFault::Edges, Some(90.0)));
+    assert_eq!((fault, nearest), (FilletFault::Edges, Some(89.4)));
     assert!((length - 10.0).abs() < 1e-9);
     of_fillet(&fillet(&[1, 2], 100.0, 15.0, designed(20.0)), &square());
 }
 
-/// By 90° and by 36.9°, whose two chords of 20 mm need 20/(2·sin 9.2°) = 62.5 mm.
+/// By 90° and by 36.9°, whose two chords of 21 mm need 21/(2·sin 9.2°) = 65.6 mm.
 #[test]
 fn the_nearest_radius_fits_all_corners_not_only_the_first() {
     let two = strand(&[[0., 0., 0.], [400., 0., 0.], [400., 400., 0.], [100., 800., 0.]]);
@@ -185,7 +191,46 @@ fn the_nearest_radius_fits_all_corners_not_only_the_first() {
     else {
         panic!("too small")
     };
-    assert_eq!((vertex, nearest), (VertexId(1), Some(mm(62.5))));
+    assert_eq!((vertex, nearest), (VertexId(1), Some(mm(65.6))));
+}
+
+/// Of edges of 47 mm no radius leaves 21 mm beside two chords of 21 mm, which take 27.44 mm; 26.2 mm leave 20.8 mm beside chords of
+/// 20.05 mm, which can be made.
+#[test]
+fn where_no_radius_keeps_clear_of_the_limits_one_that_can_be_made_is_offered() {
+    let short = strand(&[[0., 0., 0.], [47., 0., 0.], [47., 47., 0.]]);
+    let Err(EditError::Fillet { nearest, .. }) =
+        fillet(&[1], 10.0, 15.0, designed(20.0)).outcome(&short, &ChordLimits::default())
+    else {
+        panic!("too small")
+    };
+    assert_eq!(nearest, Some(mm(26.2)));
+    assert_eq!(of_fillet(&fillet(&[1], 26.2, 15.0, designed(20.0)), &short).clear, None);
+}
+
+/// What is offered is offered as something that is not warned of: a person takes it, and reads a warning at once.
+#[test]
+fn a_radius_near_a_limit_is_told_with_the_nearest_that_is_not() {
+    let of = |radius: f64| of_fillet(&fillet(&[1], radius, 15.0, designed(20.0)), &square());
+    assert_eq!(of(26.5).clear, Some(mm(27.5)));
+    assert_eq!(of(27.5).clear, Some(mm(27.5)));
+    // Three chords of 2·38.9·sin 15° = 20.14 mm could be made, and two of 29.8 mm are not warned of.
+    assert_eq!((of(38.9).chords, of(38.9).clear), (vec![2], Some(mm(38.9))));
+    // Of 200 mm 180 leave 20, as much as can be made.
+    assert_eq!(of(179.5).clear, Some(mm(178.9)));
+}
+
+/// The kit feeds 25 mm at least: beside a sharp corner of 90°, which takes 3·tan 45° of the edge, and 3·tan 11.25° at the arc,
+/// 25 + 3 + 0.6 − 2.7·0.39 = 27.5 mm have to be left, not 25.6 mm.
+#[test]
+fn what_is_left_of_an_edge_has_room_for_the_bend_at_its_other_end() {
+    let hook = strand(&[[0., 0., 0.], [200., 0., 0.], [200., 100., 0.], [0., 100., 0.]]);
+    let Err(EditError::Fillet { min_edge, fault: FilletFault::Edges, .. }) =
+        fillet(&[1], 73.0, 15.0, kit()).outcome(&hook, &ChordLimits::default())
+    else {
+        panic!("27 mm are left")
+    };
+    assert!((min_edge.mm() - 27.54).abs() < 1e-2, "{min_edge:?}");
 }
 
 /// The feed of a chord between bends of 45° and, at its end, 22.5° is L − 3·(tan 22.5° + tan 11.25°) + 2.7·π/8 ≥ 25 mm; at the end of

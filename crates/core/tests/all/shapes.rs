@@ -172,10 +172,11 @@ proptest! {
     }
 }
 
-/// By hand: a quarter turn of radius 30 in two chords has chords of 60 sin 22.5° = 22.96 mm, in three of 15.5 mm.
+/// By hand: a quarter turn of radius 30 in two chords has chords of 60 sin 22.5° = 22.96 mm, in three of 15.5 mm,
+/// which are near 15 mm and so warned of.
 #[test]
 fn a_quarter_has_as_many_chords_as_the_shortest_edge_allows() {
-    for (min_edge, chords) in [(20.4, 2), (15.0, 3), (0.0, 6)] {
+    for (min_edge, chords) in [(20.4, 2), (15.0, 2), (14.5, 3), (0.0, 6)] {
         let mut w = corner(90.0, 100.0, 80.0);
         w.apply(&fillet(30.0, 15.0, min_edge)).unwrap();
         assert_eq!(w.edge_count(), 2 + chords, "{min_edge}");
@@ -185,14 +186,14 @@ fn a_quarter_has_as_many_chords_as_the_shortest_edge_allows() {
     }
 }
 
-/// 20.4 / (2 sin 22.5°) = 26.65 mm, and one of 10 mm has chords of 7.65 mm; an edge of 50 mm has 29.6 mm to give where 20.4 mm have to be
-/// left.
+/// Where 20.4 mm have to be left, 21.42 mm are warned of by no check: 21.42 / (2 sin 22.5°) = 27.99 mm, and one of 10 mm has chords of
+/// 7.65 mm; an edge of 50 mm has 28.58 mm to give.
 #[test]
 fn a_radius_that_cannot_be_made_is_answered_with_the_nearest() {
     let refused = |radius, edge| corner(90.0, 100.0, edge).apply(&fillet(radius, 15.0, 20.4)).unwrap_err();
     for (radius, edge, fault, length, nearest) in [
-        (10.0, 50.0, FilletFault::Chords, 20.0 * 22.5_f64.to_radians().sin(), Some(26.7)),
-        (40.0, 50.0, FilletFault::Edges, 10.0, Some(29.6)),
+        (10.0, 50.0, FilletFault::Chords, 20.0 * 22.5_f64.to_radians().sin(), Some(28.0)),
+        (40.0, 50.0, FilletFault::Edges, 10.0, Some(28.5)),
         (27.0, 40.0, FilletFault::Edges, 13.0, None),
     ] {
         let EditError::Fillet { length: told, .. } = refused(radius, edge) else { panic!("{radius}") };
@@ -209,7 +210,8 @@ fn a_radius_that_cannot_be_made_is_answered_with_the_nearest() {
     }
 }
 
-/// Two corners take from the edge between them together: of 100 mm twice 39.8 mm, so that 20.4 mm are left.
+/// Two corners take from the edge between them together: of 100 mm twice 39.2 mm, so that 21.6 mm are left, of which no
+/// check warns where 20.4 mm are needed.
 #[test]
 fn an_edge_between_two_corners_is_shortened_at_both_ends() {
     let through = [[0., 0., 0.], [0., 0., 100.], [100., 0., 100.], [100., 0., 0.]].map(Point3::from).to_vec();
@@ -221,11 +223,11 @@ fn an_edge_between_two_corners_is_shortened_at_both_ends() {
         limits: designed(20.4),
     };
     let Err(EditError::Fillet { nearest, .. }) = w.apply(&both(45.0)) else { panic!("too large") };
-    assert_eq!(nearest, Some(mm(39.8)));
-    w.apply(&both(39.8)).unwrap();
-    // 39.8 mm in three chords: 79.6 sin 15° = 20.6 mm.
-    assert_eq!(w.edge_count(), 9);
-    assert!(lengths(&w).iter().any(|length| (length - 20.4).abs() < 1e-9));
+    assert_eq!(nearest, Some(mm(39.2)));
+    w.apply(&both(39.2)).unwrap();
+    // In three chords 78.4 sin 15° = 20.3 mm are too short: there are two.
+    assert_eq!(w.edge_count(), 7);
+    assert!(lengths(&w).iter().any(|length| (length - 21.6).abs() < 1e-9));
 }
 
 /// Where the arc touches the very end of an edge nothing of it is left, and the chords begin at its vertex.

@@ -32,7 +32,7 @@ fn a_fillet_is_told_as_the_machine_of_the_design_makes_it() {
         let before = editor.document().clone();
         for radius in [3.0, 36.0, 55.0, 70.0] {
             match told(&editor, &fillet(radius)) {
-                Some(EditOutcome::Fillet { chords, shortest_mm, needed_mm }) => {
+                Some(EditOutcome::Fillet { chords, shortest_mm, needed_mm, clear_mm: _ }) => {
                     assert!(shortest_mm >= needed_mm - 1e-6, "{machine:?} {radius}");
                     let new = edit(&mut editor, &fillet(radius)).edges;
                     let new = new.iter().filter(|edge| edge.id > 2).count();
@@ -56,6 +56,40 @@ fn a_fillet_is_told_as_the_machine_of_the_design_makes_it() {
             }
         }
         assert_eq!(editor.document(), &before);
+    }
+}
+
+/// Who takes the radius that is offered, for one corner, which leaves a sharp one beside it, or for all, would be warned of it at once.
+#[test]
+fn a_radius_that_is_offered_is_bent_without_a_warning() {
+    let hook: &[[f64; 3]] = &[[0.0, 0.0, 0.0], [0.0, 0.0, 120.0], [110.0, 0.0, 120.0], [110.0, 0.0, 50.0]];
+    let strand: &[[f64; 3]] = &[
+        [0.0, 0.0, 0.0],
+        [300.0, 0.0, 0.0],
+        [300.0, 0.0, 300.0],
+        [300.0, 259.8, 450.0],
+        [83.5, 151.5, 387.5],
+    ];
+    for machine in ["wirebend-kit", "pensa-diwire-pro", "grbl-bender"] {
+        for (through, vertices) in [(hook, &[1][..]), (hook, &[1, 2]), (strand, &[2]), (strand, &[1, 2, 3])] {
+            for radius in [10.0, 30.0, 36.0, 85.0, 250.0] {
+                let fillet = |radius: f64| json!({"edit": "fillet", "vertices": vertices, "radius_mm": radius, "step_deg": 15});
+                let mut editor = Editor::new(&app(), Some(machine), None).unwrap();
+                edit(&mut editor, &json!({"edit": "draw", "through_mm": through}));
+                let offered = match told(&editor, &fillet(radius)) {
+                    Some(EditOutcome::Fillet { clear_mm, .. }) => clear_mm,
+                    Some(EditOutcome::NoFillet { nearest_mm, .. }) => nearest_mm,
+                    other => panic!("{other:?}"),
+                };
+                edit(&mut editor, &fillet(offered.unwrap()));
+                let found = editor.check(&app(), &[]).unwrap().diagnostics;
+                let length =
+                    |code: &str| code.contains("edge") || code.contains("feed") || code.contains("overlap");
+                let said: Vec<_> =
+                    found.iter().filter(|one| length(one.code.as_str())).map(|one| &one.message).collect();
+                assert!(said.is_empty(), "{machine} {vertices:?} {radius} -> {offered:?}: {said:?}");
+            }
+        }
     }
 }
 

@@ -1,8 +1,26 @@
-import { useState } from "react";
+import { useCallback, useState } from "react";
 
 /** A figure of a form: what its field is given, and what stands in it now, also while it is typed. */
 export function useFigure(first: number) {
-  const [value, onCommit] = useState(first);
-  const [typed, onType] = useState<number | null>(null);
-  return { value, now: typed ?? value, set: onCommit, field: { value, onCommit, onType } };
+  const [value, setValue] = useState(first);
+  const [typed, setTyped] = useState<number | null>(null);
+  const [own, setOwn] = useState(false);
+  const set = (to: number) => {
+    setOwn(true);
+    setValue(to);
+  };
+  const onType = (to: number | null) => {
+    // A field that is left tells that nothing is typed any more.
+    if (to !== null) setOwn(true);
+    setTyped(to);
+  };
+  return {
+    value,
+    now: typed ?? value,
+    /** Whether a person has set it: what a form proposes may be replaced by something better. */
+    own,
+    set,
+    propose: useCallback((to: number) => setValue(to), []),
+    field: { value, onCommit: set, onType },
+  };
 }

@@ -12,7 +12,13 @@ import type { EditOutcome } from "../../generated/responses";
 import { askForOutcome, useOutcomes } from "./outcomes";
 
 const fillet = (radius_mm: number): EditRequest => ({ edit: "fillet", vertices: [1], radius_mm, step_deg: 15 });
-const made = (shortest_mm: number): EditOutcome => ({ outcome: "fillet", chords: [2], shortest_mm, needed_mm: 0 });
+const made = (shortest_mm: number): EditOutcome => ({
+  outcome: "fillet",
+  chords: [2],
+  shortest_mm,
+  needed_mm: 0,
+  clear_mm: null,
+});
 
 /** Questions that are on their way, with what answers them. */
 let answers: ((outcome: EditOutcome | Error) => void)[] = [];

@@ -2,6 +2,9 @@
 
 use crate::units::Length;
 
+/// A value that is farther from a limit than this part of it is not near it. The checks warn of those that are.
+pub const NEAR_LIMIT: f64 = 0.05;
+
 /// What is shorter than a millionth of a millimetre is no edge.
 pub(super) const NOTHING: f64 = 1e-6;
 
@@ -23,6 +26,16 @@ impl ChordLimits {
     #[must_use]
     pub fn between_right_angles(&self) -> Length {
         Length::computed(self.side(std::f64::consts::FRAC_PI_2))
+    }
+
+    /// The limits of which a check does not even warn: everything that keeps them is clear of the machine's own.
+    pub(super) fn with_margin(&self) -> Self {
+        let clear = |limit: Length| {
+            let mm = limit.mm();
+            // What rounding takes away does not bring it back to the limit.
+            Length::computed(if mm > 0.0 { mm * (1.0 + NEAR_LIMIT) + 10.0 * NOTHING } else { mm })
+        };
+        Self { min_edge: clear(self.min_edge), min_feed: clear(self.min_feed), ..*self }
     }
 
     /// The shortest chord, mm, where the wire is bent by `bend` between two chords and by half of it at the ends of the arc, in
@@ -49,8 +62,13 @@ impl ChordLimits {
         self.min_edge.mm().max(self.min_feed.mm() + lost.max(0.0))
     }
 
-    /// The shortest that may be left of an edge, mm, beside an arc with such bends.
-    pub(super) fn left(&self, bend: f64) -> f64 {
-        self.min_edge.mm().max(self.min_feed.mm() + self.bend_radius.mm() * (bend / 4.0).tan())
+    /// The shortest that may be left of an edge, mm, which ends at an arc with a bend by `own` there, and at its other end with one by
+    /// `far`, in whichever direction the wire runs.
+    pub(super) fn left(&self, own: f64, far: f64) -> f64 {
+        let (radius, neutral) = (self.bend_radius.mm(), self.neutral_radius.mm());
+        let tangent = |bend: f64| radius * (bend / 2.0).tan();
+        let between = tangent(own) + tangent(far) - neutral * own.min(far);
+        // Where the wire begins at the arc, nothing of a bend before is fed.
+        self.with_feed(between.max(tangent(own)))
     }
 }

@@ -105,7 +105,8 @@ pub enum EditError {
         min_edge: Length,
         /// What is too short.
         fault: FilletFault,
-        /// The nearest radius that can be made at all corners, to a tenth of a millimetre; none where there is none.
+        /// The nearest radius that can be made at all corners, to a tenth of a millimetre, and where there is one such, of which no check
+        /// warns; none where there is none.
         nearest: Option<Length>,
     },
     /// A number of sides that no polygon has.

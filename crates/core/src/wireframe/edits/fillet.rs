@@ -26,6 +26,9 @@ pub struct FilletOutcome {
     pub shortest: Length,
     /// What can be made there at least; 0 where everything can be made.
     pub needed: Length,
+    /// The nearest radius at which nothing comes near the machine's limits, so that no check warns of it: the radius itself where that is
+    /// so. None where no radius is like that.
+    pub clear: Option<Length>,
 }
 
 /// One of the two edges at a corner.
@@ -35,6 +38,8 @@ struct Leg {
     end: VertexId,
     way: Unit<Vector3<f64>>,
     length: f64,
+    /// How far the wire is bent where the leg ends; 0 at its end, and where it meets others.
+    bend: f64,
 }
 
 /// A corner, and what its fillet has to keep to.
@@ -68,7 +73,7 @@ pub(super) fn fillet(
     limits: &ChordLimits,
 ) -> Result<(), EditError> {
     let planned = plan(draft, vertices, radius, step, limits)?;
-    for (&vertex, (_, chords)) in vertices.iter().zip(planned) {
+    for (&vertex, (_, chords)) in vertices.iter().zip(planned.corners) {
         // As those before it have left its edges.
         Corner::of(draft, vertex)?.round(draft, radius.mm(), chords)?;
     }
@@ -83,7 +88,7 @@ pub(super) fn outcome(
     step: Angle,
     limits: &ChordLimits,
 ) -> Result<Option<FilletOutcome>, EditError> {
-    let planned = plan(draft, vertices, radius, step, limits)?;
+    let Plan { corners: planned, clear } = plan(draft, vertices, radius, step, limits)?;
     let told = |(corner, count): &(Corner, u32)| {
         let bend = corner.sweep / f64::from(*count);
         (corner.chord(radius.mm(), *count), limits.chord(bend))
@@ -93,17 +98,25 @@ pub(super) fn outcome(
         chords: planned.iter().map(|(_, count)| *count).collect(),
         shortest: Length::computed(shortest),
         needed: Length::computed(needed),
+        clear,
     }))
 }
 
-/// The corners of a fillet, and into how many chords the arc of each is divided.
+/// What becomes of the corners of a fillet.
+struct Plan {
+    /// Each with the number of chords that its arc is divided into.
+    corners: Vec<(Corner, u32)>,
+    /// See [`FilletOutcome::clear`].
+    clear: Option<Length>,
+}
+
 fn plan(
     draft: &Draft,
     vertices: &[VertexId],
     radius: Length,
     step: Angle,
     limits: &ChordLimits,
-) -> Result<Vec<(Corner, u32)>, EditError> {
+) -> Result<Plan, EditError> {
     check_listed(draft, vertices)?;
     if radius <= Length::ZERO {
         return Err(EditError::FilletRadius(radius.mm()));
@@ -113,11 +126,16 @@ fn plan(
     }
     let corners = vertices.iter().map(|&vertex| Corner::of(draft, vertex)).collect::<Result<Vec<_>, _>>()?;
     let reaches = corners.iter().map(|corner| (corner.vertex, corner.reach())).collect();
-    let bounds: Vec<_> = corners.iter().map(|corner| corner.bounds(radius.mm(), limits, &reaches)).collect();
+    let bounds = |limits: &ChordLimits| -> Vec<Bounds> {
+        corners.iter().map(|corner| corner.bounds(radius.mm(), limits, &reaches)).collect()
+    };
+    let (bounds, wide) = (bounds(limits), bounds(&limits.with_margin()));
+    // Who is offered a radius is not to be warned of it.
+    let clear = nearest(radius, &wide);
     for (corner, own) in corners.iter().zip(&bounds) {
-        let (fault, length, min_edge) = if radius.mm() < own.min - NOTHING {
+        let (fault, length, min_edge) = if own.is_too_small(radius) {
             (FilletFault::Chords, corner.chord(radius.mm(), 2), own.chord)
-        } else if own.rest < own.left - NOTHING {
+        } else if own.leaves_too_little() {
             (FilletFault::Edges, own.rest.max(0.0), own.left)
         } else {
             continue;
@@ -128,20 +146,33 @@ fn plan(
             length: Length::computed(length),
             min_edge: Length::computed(min_edge),
             fault,
-            nearest: nearest(radius, &bounds),
+            nearest: clear.or_else(|| nearest(radius, &bounds)),
         });
     }
     let chords = corners.iter().map(|corner| corner.chords(radius.mm(), step.rad(), limits));
     let chords = chords.collect::<Result<Vec<_>, _>>()?;
-    Ok(corners.into_iter().zip(chords).collect())
+    Ok(Plan { corners: corners.into_iter().zip(chords).collect(), clear })
 }
 
-/// The nearest radius that can be made at all corners. With one digit behind the point, as it is written.
+/// The nearest radius that can be made at all corners: the radius itself, or one with one digit behind the point, as it is written.
 fn nearest(radius: Length, bounds: &[Bounds]) -> Option<Length> {
+    if !bounds.iter().any(|own| own.is_too_small(radius) || own.leaves_too_little()) {
+        return Some(radius);
+    }
     let min = bounds.iter().map(|bounds| bounds.min).fold(0.0, f64::max);
     let max = bounds.iter().map(|bounds| bounds.max).fold(f64::INFINITY, f64::min);
     let (up, down) = ((min * 10.0 - NOTHING).ceil() / 10.0, (max * 10.0 + NOTHING).floor() / 10.0);
     (up <= down && down > 0.0).then(|| Length::computed(radius.mm().clamp(up, down)))
+}
+
+impl Bounds {
+    fn is_too_small(&self, radius: Length) -> bool {
+        radius.mm() < self.min - NOTHING
+    }
+
+    fn leaves_too_little(&self) -> bool {
+        self.rest < self.left - NOTHING
+    }
 }
 
 impl Corner {
@@ -156,7 +187,8 @@ impl Corner {
             let edge = draft.edge(id).ok_or(EditError::NoEdge(id))?;
             let end = other_end(id, edge, vertex)?;
             let to = draft.position(end)?;
-            Ok::<_, EditError>(Leg { id, edge, end, way: direction(id, at, to)?, length: (to - at).norm() })
+            let (way, length, bend) = (direction(id, at, to)?, (to - at).norm(), bend_at(draft, end));
+            Ok::<_, EditError>(Leg { id, edge, end, way, length, bend })
         };
         let legs = [leg(one)?, leg(other)?];
         let sweep = std::f64::consts::PI - angle_between(&legs[0].way, &legs[1].way);
@@ -178,7 +210,11 @@ impl Corner {
 
     /// `reaches`: of all corners that are rounded, since an edge between two of them is shortened at both of its ends.
     fn bounds(&self, radius: f64, limits: &ChordLimits, reaches: &BTreeMap<VertexId, f64>) -> Bounds {
-        let (chord, left) = (limits.chord(self.sweep / 2.0), limits.left(self.sweep / 2.0));
+        let chord = limits.chord(self.sweep / 2.0);
+        // At its ends the arc bends by half of what it bends between two chords.
+        let far = |leg: &Leg| if reaches.contains_key(&leg.end) { leg.bend / 4.0 } else { leg.bend };
+        let left = self.legs.iter().map(|leg| limits.left(self.sweep / 4.0, far(leg)));
+        let left = left.fold(0.0, f64::max);
         let taken = |leg: &Leg| self.reach() + reaches.get(&leg.end).copied().unwrap_or(0.0);
         let rests = self.legs.iter().map(|leg| leg.length - radius * taken(leg));
         let largest = self.legs.iter().map(|leg| (leg.length - left) / taken(leg));
@@ -200,9 +236,12 @@ impl Corner {
         }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 2 to the most
         let wanted = wanted as u32;
-        let fits =
-            |count: u32| self.chord(radius, count) >= limits.chord(self.sweep / f64::from(count)) - NOTHING;
-        Ok((2..=wanted).rev().find(|&count| fits(count)).unwrap_or(2))
+        let fits = |count: u32, limits: &ChordLimits| {
+            self.chord(radius, count) >= limits.chord(self.sweep / f64::from(count)) - NOTHING
+        };
+        // Fewer chords rather than some that a check warns of.
+        let clear = (2..=wanted).rev().find(|&count| fits(count, &limits.with_margin()));
+        Ok(clear.or_else(|| (2..=wanted).rev().find(|&count| fits(count, limits))).unwrap_or(2))
     }
 
     fn round(&self, draft: &mut Draft, radius: f64, chords: u32) -> Result<(), EditError> {
@@ -247,4 +286,18 @@ impl Corner {
         draft.add_edge(Edge { a: before, b: to, ceiling })?;
         Ok(())
     }
+}
+
+/// How far the wire is bent at a vertex of two edges; 0 at any other, and where it is folded back, which has no corner.
+fn bend_at(draft: &Draft, vertex: VertexId) -> f64 {
+    let bend = || -> Result<f64, EditError> {
+        let (one, other) = only_two(draft, vertex)?;
+        let at = draft.position(vertex)?;
+        let way = |id: EdgeId| {
+            let edge = draft.edge(id).ok_or(EditError::NoEdge(id))?;
+            direction(id, at, draft.position(other_end(id, edge, vertex)?)?)
+        };
+        Ok(std::f64::consts::PI - angle_between(&*way(one)?, &*way(other)?))
+    };
+    bend().ok().filter(|bend| *bend < std::f64::consts::PI - STRAIGHT).unwrap_or(0.0)
 }

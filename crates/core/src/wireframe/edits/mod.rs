@@ -20,7 +20,7 @@ use super::delta::{Delta, Draft};
 use super::graph::{EdgeId, VertexId, Wireframe};
 use crate::units::{Angle, Length};
 
-pub use chord_limits::ChordLimits;
+pub use chord_limits::{ChordLimits, NEAR_LIMIT};
 pub use error::{EditError, FilletFault};
 pub use fillet::FilletOutcome;
 pub use outcome::Outcome;
