@@ -257,6 +257,8 @@ pub enum ErrorRemedy {
     ExportFile,
     /// See that the machine may move, and confirm it.
     ConfirmMotion,
+    /// Answer before each piece, instead of beforehand.
+    AnswerEachPiece,
     /// Bring every axis to zero, and confirm it.
     ConfirmZero,
     /// Say where the head stands.

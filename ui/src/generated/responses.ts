@@ -396,6 +396,9 @@ export type ErrorRemedy =
       remedy: "confirm-motion";
     }
   | {
+      remedy: "answer-each-piece";
+    }
+  | {
       remedy: "confirm-zero";
     }
   | {

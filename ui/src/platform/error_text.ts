@@ -153,6 +153,7 @@ const REMEDIES: { readonly [K in Kind]: (remedy: Extract<ErrorRemedy, { remedy: 
   "reset-trust": () => "Correct the list, or delete it and accept the drivers again.",
   "choose-port": () => "Choose the port that the machine is at.",
   "export-file": () => "Write a file under Export, and use the machine\u2019s own program.",
+  "answer-each-piece": () => "Answer before each piece.",
   "confirm-motion": () => "Check that it is safe, then confirm.",
   "confirm-zero": () => "Bring every axis to zero, then confirm.",
   "state-head": () => "Look at the head, and state where it stands.",

@@ -59,7 +59,7 @@ pub(crate) struct RunArgs {
     /// Bend this wire alone, counted from 1
     #[arg(long, value_name = "N")]
     pub wire: Option<NonZeroUsize>,
-    /// Bend so many pieces of the same, one after the other; before each you are asked
+    /// Bend so many pieces of the same, one after the other; before each you are asked (--yes answers that on a simulated machine, and is refused on a real one, where somebody has to cut off each piece)
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=10_000), conflicts_with_all = ["resume", "abandon"])]
     pub repeat: u32,
     /// Length of the wire that is loaded, in mm: new wire is asked for only when what is left does not suffice

@@ -139,6 +139,7 @@ fn one(remedy: &ErrorRemedy) -> String {
         }
         R::ChoosePort { known } => format!("say with --port where the machine is: {}", known.join(", ")),
         R::ExportFile => "use `wirebend export`, and the machine's own program".to_owned(),
+        R::AnswerEachPiece => "leave out --yes: you are asked before each piece".to_owned(),
         R::ConfirmMotion => "check that it is safe, then confirm with --yes".to_owned(),
         R::ConfirmZero => "bring the axes there, and confirm with --axes-at-zero; --yes is not enough".to_owned(),
         R::StateHead => {

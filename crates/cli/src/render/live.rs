@@ -31,7 +31,7 @@ pub(super) fn run(out: &mut impl Write, err: &mut impl Write, found: &RunRespons
             let pieces = count((found.pieces.of - found.pieces.made) as usize, "piece", "pieces");
             let why = match found.left_because {
                 Some(LeftBecause::NobodyAsked) => {
-                    "because nobody could be asked whether the piece before is cut off: run them at a terminal"
+                    "because nobody could be asked before the next one: run them at a terminal"
                 }
                 _ => why,
             };

@@ -25,6 +25,11 @@ pub enum LiveProblem {
     /// There is no user to ask.
     #[error("nobody has confirmed that the machine may move")]
     NotConfirmed,
+    /// One yes was given for several pieces of a real machine.
+    #[error(
+        "a yes given beforehand is not enough for {pieces} pieces: between two of them a person has to cut off the one before and take it out, since this machine does not cut, and the next one would be bent into it"
+    )]
+    YesForPieces { pieces: u32 },
     /// There is no user to ask where the axes stand.
     #[error("nobody has confirmed that every axis stands at zero: this machine has no switches to find it")]
     ZeroNotConfirmed,

@@ -15,6 +15,7 @@ impl LiveProblem {
             Self::NoPort { .. }
             | Self::FilesOnly { .. }
             | Self::NotConfirmed
+            | Self::YesForPieces { .. }
             | Self::ZeroNotConfirmed
             | Self::Head(_)
             | Self::NoWire { .. }
@@ -63,7 +64,7 @@ impl LiveProblem {
         match self {
             Self::NoPort { .. } => ErrorCode::NoPort,
             Self::FilesOnly { .. } => ErrorCode::FilesOnly,
-            Self::NotConfirmed => ErrorCode::NotConfirmed,
+            Self::NotConfirmed | Self::YesForPieces { .. } => ErrorCode::NotConfirmed,
             Self::ZeroNotConfirmed => ErrorCode::ZeroNotConfirmed,
             Self::Head(problem) => problem.code(),
             Self::Declined => ErrorCode::Declined,

@@ -12,6 +12,7 @@ impl LiveProblem {
             Self::NoPort { known } => vec![R::ChoosePort { known: known.clone() }],
             Self::FilesOnly { .. } => vec![R::ExportFile],
             Self::NotConfirmed => vec![R::ConfirmMotion],
+            Self::YesForPieces { .. } => vec![R::AnswerEachPiece],
             Self::ZeroNotConfirmed => vec![R::ConfirmZero],
             Self::Head(problem) => problem.remedies(),
             Self::Declined => Vec::new(),

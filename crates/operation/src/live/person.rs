@@ -12,7 +12,8 @@ use crate::error::LiveProblem;
 /// What a person answers with the request itself, before they are asked.
 #[derive(Debug, Clone, Copy, Default, Deserialize, JsonSchema)]
 pub struct Answers {
-    /// Whether the machine may move. In a job it counts for one wire: before the next, the user is asked.
+    /// Whether the machine may move. In a job it counts for one wire: before the next, the user is asked. Of several pieces it counts
+    /// for all on a simulated machine, where nothing has to be cut off, and is refused on a real one.
     #[serde(default)]
     pub confirmed: bool,
     /// Whether every axis stands at zero, for a machine without switches; for moves by hand, whether they may count from where

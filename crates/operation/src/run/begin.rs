@@ -19,6 +19,7 @@ impl Task<'_> {
         let wanted = self.wanted();
         wanted.iter().try_for_each(|&wire| self.require_clear(wire))?;
         let mut connection = connect(self.app, &self.at(None, Unnamed::Simulate), self.progress)?;
+        self.require_person_between(&connection)?;
         connection.require_settings(self.setup.machine_id(), self.request.accept_settings)?;
         wanted.iter().try_for_each(|&wire| self.require_within(&connection, wire, 1))?;
         self.require_cutter(&connection, &wanted)?;
@@ -101,6 +102,17 @@ impl Task<'_> {
         self.wire(wire).is_ok_and(|wire| self.pieces.get().goes_on(wire))
     }
 
+    /// Refuses a yes given beforehand for several pieces of a real machine that does not cut them off, before anything of it moves. What is
+    /// simulated is in nobody's way.
+    fn require_person_between(&self, connection: &Connection) -> Result<(), LiveProblem> {
+        let pieces = self.request.repeat.pieces;
+        let alone = pieces > 1 && self.request.answers.confirmed && !self.request.repeat.cut;
+        if alone && connection.session.simulated().is_none() {
+            return Err(LiveProblem::YesForPieces { pieces });
+        }
+        Ok(())
+    }
+
     fn ask(&self, connection: &mut Connection, wire: usize, first: bool) -> Result<Permit, OperationError> {
         let lines = about(self, connection, wire, Some(self.wire_lines(wire)?), connection.can_home())?;
         let question = if first {
@@ -108,8 +120,11 @@ impl Task<'_> {
         } else {
             self.pieces.get().question(self.wire(wire)?)
         };
-        // The person who said yes with the request could not know when the wire before would be done.
-        let (session, confirmed) = (&mut connection.session, first && self.request.answers.confirmed);
+        // The person who said yes with the request could not know when the wire before would be done. What is simulated is in
+        // nobody's way.
+        let session = &mut connection.session;
+        let row = self.request.repeat.pieces > 1 && session.simulated().is_some();
+        let confirmed = self.request.answers.confirmed && (first || row);
         let permit = ask_permit(session, self.progress, self.permit_kind(), lines, question, confirmed)?;
         self.wire_confirmed(wire)?;
         Ok(permit)
