@@ -28,6 +28,11 @@ pub enum ApiError {
         id: String,
         known: Vec<String>,
     },
+    /// The file that is open to be run is another one on the disk by now.
+    #[error(
+        "{name} has changed on the disk since it was opened: the view shows what was read then, and nothing of what the file has now was looked at"
+    )]
+    FileChanged { name: String },
     /// There is no folder for a person's own profiles.
     #[error("there is no home folder for profiles of your own")]
     NoOwnFolder,
@@ -72,6 +77,7 @@ impl ApiError {
             Self::Planning(error) => error.kind(),
             Self::Editor(error) => error.kind(),
             Self::Operation(error) => error.kind(),
+            Self::FileChanged { .. } => ErrorKind::BadInput,
             Self::NoExample { .. } | Self::NoOwnFolder => ErrorKind::Usage,
         }
     }
@@ -83,6 +89,7 @@ impl ApiError {
             Self::Editor(error) => error.code(),
             Self::Operation(error) => error.code(),
             Self::NoExample { .. } => ErrorCode::NoExample,
+            Self::FileChanged { .. } => ErrorCode::FileChanged,
             Self::NoOwnFolder => ErrorCode::NoOwnFolder,
         }
     }
@@ -96,6 +103,7 @@ impl ApiError {
             Self::NoExample { known, .. } => {
                 vec![ErrorRemedy::ChooseKnown { near: Vec::new(), known: known.clone() }]
             }
+            Self::FileChanged { .. } => vec![ErrorRemedy::ReadAgain],
             Self::NoOwnFolder => vec![ErrorRemedy::SetHome],
         }
     }

@@ -80,6 +80,7 @@ codes! {
     Exists = "exists",
     Faces = "faces",
     Failure = "failure",
+    FileChanged = "file-changed",
     FilesOnly = "files-only",
     FormatOfAnother = "format-of-another",
     HeadBeyond = "head-beyond",

@@ -60,6 +60,8 @@ pub enum ErrorRemedy {
     CheckScale,
     /// Read the file without choosing layers.
     LeaveOutLayers,
+    /// Read the file again, as it is now.
+    ReadAgain,
     /// Import the model again.
     ImportAgain,
     /// Take the last good copy of the document.

@@ -1,4 +1,4 @@
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import type { Move } from "../../../ui/src/generated/requests.ts";
@@ -68,6 +68,18 @@ it("runs the text of a program as it stands, and says so before anything moves",
   await bend();
   expect((await state()).wire?.of).toBe(2);
   await editor.isClean("run-file-program");
+});
+
+it("says that a file was replaced on the disk, and runs it as it is now once it was read again", async () => {
+  const path = into("two.txt");
+  writeFileSync(path, "F 40\nB 50\nF 35\nB 20\nF 30\n");
+  await button("Arm…").click();
+  await editor.messages.filter({ hasText: "two.txt has changed on the disk since it was opened" }).waitFor();
+  await editor.isCleanNow("run-file-changed");
+  await toRun().getByRole("button", { name: "Read again" }).click();
+  await steps().getByText("step 1 / 3").waitFor();
+  await bend();
+  expect((await state()).wire?.of).toBe(3);
 });
 
 it("refuses a program that the machine cannot make until a person wants it", async () => {

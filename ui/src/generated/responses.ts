@@ -128,6 +128,9 @@ export type ErrorRemedy =
       remedy: "leave-out-layers";
     }
   | {
+      remedy: "read-again";
+    }
+  | {
       remedy: "import-again";
     }
   | {
@@ -1738,6 +1741,7 @@ export type ErrorCode =
   | "exists"
   | "faces"
   | "failure"
+  | "file-changed"
   | "files-only"
   | "format-of-another"
   | "head-beyond"

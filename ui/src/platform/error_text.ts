@@ -81,6 +81,7 @@ const REMEDIES: { readonly [K in Kind]: (remedy: Extract<ErrorRemedy, { remedy: 
   "choose-unit": () => "Choose the unit when you open it.",
   "check-scale": () => "Check unit and scale.",
   "leave-out-layers": () => "Open it without choosing layers.",
+  "read-again": () => "Press “Read again” beside the file to run it as it is now.",
   "import-again": () => "Import the model again.",
   "use-last-copy": () => "Take its last good copy, or undo what was changed by hand.",
   "open-as-it-is": () => "Open it as what it is.",

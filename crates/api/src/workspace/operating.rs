@@ -113,6 +113,7 @@ impl Workspace {
         asked: &OrderMachine,
         progress: &dyn Progress,
     ) -> Result<MachineNow, ApiError> {
+        self.require_file_as_read(&asked.request)?;
         let operator = self.operator().ok_or(OperatorError::NotConnected)?;
         if asked.request.moves() && operator.state().phase != Phase::Closed {
             operator.require_as_in(&self.installation())?;
@@ -192,6 +193,18 @@ impl Workspace {
 
     fn put_operator(&self, operator: Option<Arc<Operator>>) -> Option<Arc<Operator>> {
         std::mem::replace(&mut *self.operator.lock().unwrap_or_else(PoisonError::into_inner), operator)
+    }
+
+    /// Refuses an order that begins what is in the file that is open to be run, where that has changed on the disk.
+    fn require_file_as_read(&self, order: &Order) -> Result<(), ApiError> {
+        let Some(run_file) = self.run_file() else { return Ok(()) };
+        match order {
+            Order::Arm { .. } | Order::DryRun { .. } => run_file.require_unchanged(),
+            Order::Replay { file, .. } if file.is_some() && *file == run_file.report.path => {
+                run_file.require_unchanged()
+            }
+            _ => Ok(()),
+        }
     }
 
     /// The job that an order is about.

@@ -5,7 +5,7 @@ use std::sync::{Arc, PoisonError};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_files::document::Job;
+use wirebend_files::document::{Job, sha256_hex};
 use wirebend_files::read::Format;
 use wirebend_planning::PlanningError;
 use wirebend_planning::as_given::{GivenWires, ProgramMachine, job_of_file, job_of_moves};
@@ -86,6 +86,8 @@ pub struct RunFileWire {
 /// What is open to be run, with all that is shown of it.
 pub(super) struct RunFile {
     pub report: RunFileReport,
+    /// SHA-256 of its bytes as they were read.
+    sha256: String,
     job: Job,
     setup: Setup,
     wires: GivenWires,
@@ -108,6 +110,18 @@ impl RunFile {
             name: format!("{stem}.wbjob"),
             bytes: self.job.to_bytes().map_err(PlanningError::from)?,
         })
+    }
+
+    /// Refuses to move anything for a file that is another one by now: a person has looked at what was read before. One that is gone
+    /// is still what was looked at.
+    pub fn require_unchanged(&self) -> Result<(), ApiError> {
+        let now = self.report.path.as_ref().and_then(|path| std::fs::read(path).ok());
+        match now {
+            Some(bytes) if sha256_hex(&bytes) != self.sha256 => {
+                Err(ApiError::FileChanged { name: self.report.name.clone() })
+            }
+            _ => Ok(()),
+        }
     }
 
     pub fn program(&self) -> ProgramResponse {
@@ -173,7 +187,7 @@ impl Workspace {
         if let Some(path) = path {
             self.remember(&path);
         }
-        self.put_run_file(Some(RunFile { report, job, setup, wires }));
+        self.put_run_file(Some(RunFile { report, sha256: sha256_hex(&bytes), job, setup, wires }));
         Ok(self.run_file_now())
     }
 

@@ -39,6 +39,7 @@ fn one(remedy: &ErrorRemedy) -> String {
         R::ChooseUnit => "say what the numbers measure with --units UNIT".to_owned(),
         R::CheckScale => "check --units and --scale".to_owned(),
         R::LeaveOutLayers => "leave out --layer".to_owned(),
+        R::ReadAgain => "read the file again".to_owned(),
         R::ImportAgain => "import the model again".to_owned(),
         R::UseLastCopy => "take its last good copy, or undo what was changed by hand".to_owned(),
         R::OpenAsItIs => "use the command for that kind of file".to_owned(),

@@ -263,6 +263,53 @@ fn a_job_a_program_and_a_recording_are_shown_and_run_as_they_are() {
     assert_eq!(window.ask("run-file", json!({}))["file"], json!(null));
 }
 
+/// Another program writes the file anew while it is open: a person would be told of a profile that nobody has changed, or run what they
+/// have not seen.
+#[test]
+fn a_file_that_has_changed_on_the_disk_is_read_again_before_anything_of_it_moves() {
+    let window = Window::new();
+    window.ask("new", json!({"machine": "wirebend-kit"}));
+    let moves = |hash: &str, mm: f64| {
+        json!({"format": "wbmoves", "version": 1, "machine": "wirebend-kit", "profile_hash": hash.repeat(64),
+            "moves": [{"move": "home"}, {"move": "feed", "mm": mm}]})
+        .to_string()
+    };
+    let text = window.file("two.txt", b"F 40\nB 60.5\nF 35\n");
+    let recording = window.file("feed.wbmoves", moves("0", 40.0).as_bytes());
+    window.connect();
+    let orders = |path: &Path| match path.extension() {
+        Some(extension) if extension == "txt" => {
+            vec![json!({"order": "arm", "wire": 0}), json!({"order": "dry-run", "wire": 0})]
+        }
+        _ => vec![json!({"order": "replay", "file": path, "other_machine": true})],
+    };
+    for (path, other) in [(&text, "F 45\nB 60.5\nF 35\n".to_owned()), (&recording, moves("1", 45.0))] {
+        window.ask("open-run-file", json!({"file": {"file": path}}));
+        std::fs::write(path, other).unwrap();
+        for order in orders(path) {
+            let refusal = window.try_ask("order", json!({"request": order})).unwrap_err();
+            assert_eq!(refusal.code, "file-changed", "{order}: {}", refusal.message);
+            assert!(
+                refusal.message.contains(path.file_name().unwrap().to_str().unwrap()),
+                "{}",
+                refusal.message
+            );
+            assert_eq!(refusal.remedies, [ErrorRemedy::ReadAgain]);
+        }
+        window.ask("open-run-file", json!({"file": {"file": path}}));
+        window.order(&orders(path)[0]);
+        let id = window.until(|state| state["question"].is_object())["question"]["id"].clone();
+        window.ask("answer", json!({"question": id, "answer": "no"}));
+        window.until(|state| state["busy"] == false);
+    }
+    // What is gone is not another file: what was read of it is what was looked at.
+    window.ask("open-run-file", json!({"file": {"file": text}}));
+    std::fs::remove_file(&text).unwrap();
+    window.order(&json!({"order": "arm", "wire": 0}));
+    window.yes();
+    window.until_phase("armed");
+}
+
 /// The numbers of another machine's program mean something else.
 #[test]
 fn a_program_of_another_machine_is_not_run() {

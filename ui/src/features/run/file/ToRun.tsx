@@ -6,7 +6,7 @@ import { openPath, pickRunFile } from "../../../state/files/files";
 import { useMachines } from "../../../state/machine/machines";
 import { isInWire, type MachineState } from "../../../state/machine/operator";
 import { order } from "../../../state/machine/run";
-import { closeRunFile, useRunFile } from "../../../state/program/run_file";
+import { closeRunFile, openRunFile, useRunFile } from "../../../state/program/run_file";
 import { Part } from "../../panel/Section";
 import { buttons } from "../buttons";
 import { useProspect } from "../prospect";
@@ -64,6 +64,11 @@ export function ToRun({ state }: { readonly state: MachineState | null }) {
           {path !== null && kind !== "job" && (
             <Button small onClick={() => void openPath(path, "design", "design")}>
               Make it a design…
+            </Button>
+          )}
+          {path !== null && (
+            <Button small why={under ? "A wire is being bent." : null} onClick={() => void openRunFile(path)}>
+              Read again
             </Button>
           )}
           <Button small why={under ? "A wire is being bent." : null} onClick={() => void closeRunFile()}>
