@@ -153,10 +153,14 @@ export function NumberField({
   /** A menu has taken the focus from it. */
   const [inMenu, setInMenu] = useState(false);
   const field = useRef<HTMLInputElement>(null);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: another value takes the place of what was typed
-  useEffect(() => setTyped(null), [shown]);
   // What the arrow keys asked for and `value` is not yet: the next press continues from the last of them.
   const stepped = useRef<number[]>([]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: another value takes the place of what was typed
+  useEffect(() => {
+    setTyped(null);
+    // A value that a form proposes while the field has the focus is replaced by what is typed, as the one before it.
+    if (stepped.current.length === 0 && document.activeElement === field.current) field.current?.select();
+  }, [shown]);
   useEffect(() => {
     const reached = stepped.current.findIndex((asked) => value !== null && Math.abs(asked - value) < 1e-9);
     stepped.current = reached < 0 ? [] : stepped.current.slice(reached + 1);
