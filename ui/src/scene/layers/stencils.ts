@@ -20,6 +20,8 @@ interface Hit {
   readonly surface: Surface;
   readonly at: Vec3;
   readonly normal: Vec3;
+  /** Which way the ray went: in perspective one beside it may see the other side of a face. */
+  readonly way: Vec3;
 }
 
 export class Stencils implements SurfaceTargets {
@@ -100,7 +102,7 @@ export class Stencils implements SurfaceTargets {
     const triangles = hit.surface.fewTrianglesAround(hit.at, reach * projection.pixel(hit.at));
     const { vertex, edge, side: whole } = nearestTargets(triangles, projection, x, y, reach);
     if (offset === 0) return { vertex, edge, side: whole, surface: hit.at };
-    const flipped = dot(hit.normal, projection.ray(x, y).direction) > 0;
+    const flipped = dot(hit.normal, hit.way) > 0;
     const side = flipped ? scale(hit.normal, -1) : hit.normal;
     const off = (at: Vec3 | null, on: readonly Candidate[]) => at && lifted(at, on, side, flipped, offset);
     return { vertex: off(vertex, triangles), edge: off(edge, triangles), side: null, surface: off(hit.at, []) };
@@ -134,7 +136,8 @@ export class Stencils implements SurfaceTargets {
     let first: Hit | null = null;
     for (const surface of this.shown) {
       const met = surface.hit(ray);
-      if (met && (!first || distance(ray.origin, met.at) < distance(ray.origin, first.at))) first = { surface, ...met };
+      if (met && (!first || distance(ray.origin, met.at) < distance(ray.origin, first.at)))
+        first = { surface, ...met, way: ray.direction };
     }
     return first;
   }
