@@ -3,7 +3,7 @@ import { flyTo, run, useWhyNot, whyNot, whyNotFrom } from "../../state/window/co
 import { keyOf } from "../../state/window/keys";
 import { type Side, useView } from "../../state/window/view";
 import { useViewAxes } from "../../state/window/view_axes";
-import { facesOf, SIDE_NAMES, sideOf, type Zone, zoneName } from "./cube";
+import { facesOf, SIDE_NAMES, sideOf, type Zone, zoneName, zoneOf } from "./cube";
 import "./view_cube.css";
 
 /** CSS pixels: of the picture, and from the middle of the cube to a face, so that its corners stay within. */
@@ -14,15 +14,7 @@ const STILL = 4;
 /** A cube that is as small turns as far as its face is dragged, the view by less. */
 const FASTER = 4;
 
-const label = (side: Side): string => zoneName(NORMALS[side]);
-const NORMALS: Readonly<Record<Side, Zone>> = {
-  front: [0, -1, 0],
-  back: [0, 1, 0],
-  right: [1, 0, 0],
-  left: [-1, 0, 0],
-  top: [0, 0, 1],
-  bottom: [0, 0, -1],
-};
+const label = (side: Side): string => zoneName(zoneOf(side));
 
 const whyNotZone = (zone: Zone): string | null => {
   const side = sideOf(zone);

@@ -37,6 +37,9 @@ export function zoneName([x, y, z]: Zone): string {
   return (name[0] ?? "").toUpperCase() + name.slice(1);
 }
 
+/** The face of a side, as a zone. */
+export const zoneOf = (side: Side): Zone => SIDES[side].out;
+
 /** The side that a zone is the face of; null of an edge or a corner. */
 export const sideOf = (zone: Zone): Side | null =>
   SIDE_NAMES.find((side) => dot(SIDES[side].out, zone) === dot(zone, zone)) ?? null;

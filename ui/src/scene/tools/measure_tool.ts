@@ -1,11 +1,10 @@
 /** Measuring between any two things: a click takes the first, what the pointer is on is measured to it, a second click keeps that. */
 
 import { type Sign, SNAP_SHAPES } from "../drawing/symbols";
-import type { MeasuredThing, SceneListener, SnapKind } from "../interface";
-import type { Overlay } from "../layers/overlay";
+import type { MeasuredThing, SnapKind } from "../interface";
 import { DEFAULT_SNAP, type SnapTarget, snap } from "../picking/snap";
-import type { Stage } from "../stage";
-import type { Place, ToolHandler } from "./pointer";
+import { ClickTool } from "./click_tool";
+import type { Place } from "./pointer";
 
 /** All that is there, also what is not snapped to while something is drawn. */
 const THERE: ReadonlySet<SnapKind> = new Set(
@@ -23,31 +22,9 @@ interface Taken extends MeasuredThing {
 const areSame = (one: MeasuredThing, other: MeasuredThing): boolean =>
   one.from.join() === other.from.join() && one.to.join() === other.to.join();
 
-export class MeasureTool implements ToolHandler {
+export class MeasureTool extends ClickTool {
   private taken: readonly Taken[] = [];
-  private last: Place | null = null;
-  private hovered = "";
   private told = "";
-
-  constructor(
-    private readonly stage: Stage,
-    private readonly listener: SceneListener,
-    private readonly overlay: Overlay,
-  ) {}
-
-  hover(at: Place | null): void {
-    this.last = at;
-    this.overlay.cursor("crosshair");
-    this.show();
-  }
-
-  press(at: Place): void {
-    this.hover(at);
-  }
-
-  drag(at: Place): void {
-    this.hover(at);
-  }
 
   release(at: Place): void {
     this.last = at;
@@ -59,24 +36,10 @@ export class MeasureTool implements ToolHandler {
     this.show();
   }
 
-  double(): void {
-    // Each of its clicks was taken already.
-  }
-
-  context(at: Place): void {
-    if (!this.cancel()) this.listener.menu({ x: at.x, y: at.y });
-  }
-
-  abort(): void {
-    this.last = null;
-    this.show();
-  }
-
   key(event: KeyboardEvent): boolean {
     return event.key === "Escape" && this.cancel();
   }
 
-  /** Forgets what was measured; whether there was something. */
   cancel(): boolean {
     const had = this.taken.length > 0;
     this.taken = [];
@@ -118,7 +81,7 @@ export class MeasureTool implements ToolHandler {
     return whole ? { from: whole[0], to: whole[1] } : { from: at, to: at };
   }
 
-  private show(): void {
+  protected show(): void {
     const { stage, taken } = this;
     const pointed = this.pointed();
     const { acted } = stage.theme;
@@ -135,12 +98,6 @@ export class MeasureTool implements ToolHandler {
     const told = things.map(({ from, to }) => [...from, ...to].join()).join(";");
     if (told !== this.told) this.listener.measuring(things.map(({ from, to }) => ({ from, to })));
     this.told = told;
-    const key = pointed ? `${pointed.kind} ${pointed.at.join()}` : "";
-    if (key === this.hovered) return;
-    this.hovered = key;
-    const seen = pointed && stage.projection.seen(pointed.at);
-    this.listener.hovered(
-      pointed && seen ? { kind: "snap", snap: pointed.kind, at: pointed.at, x: seen.x, y: seen.y } : null,
-    );
+    this.tellHovered(pointed);
   }
 }

@@ -8,7 +8,8 @@ import type { Overlay } from "../layers/overlay";
 import { inDirections, type SnapTarget, snap } from "../picking/snap";
 import type { Stage } from "../stage";
 import { middle } from "../vec";
-import type { Place, ToolHandler } from "./pointer";
+import { ClickTool } from "./click_tool";
+import type { Place } from "./pointer";
 import { type Asked, Strand } from "./strand";
 import { TypedEdge } from "./typed_edge";
 
@@ -29,18 +30,13 @@ const ON_PLANE: ReadonlySet<SnapKind> = new Set([
 /** What of the design a strand can join. */
 const JOINS: ReadonlySet<SnapKind> = new Set(["vertex", "construction", "edge-middle", "edge"]);
 
-export class TraceTool implements ToolHandler {
+export class TraceTool extends ClickTool {
   private readonly strand: Strand;
   private readonly typed = new TypedEdge();
-  private last: Place | null = null;
-  private hovered = "";
   private reads = false;
 
-  constructor(
-    private readonly stage: Stage,
-    private readonly listener: SceneListener,
-    private readonly overlay: Overlay,
-  ) {
+  constructor(stage: Stage, listener: SceneListener, overlay: Overlay) {
+    super(stage, listener, overlay);
     this.strand = new Strand(
       (stroke) => listener.stroke(stroke),
       () => this.show(),
@@ -49,20 +45,6 @@ export class TraceTool implements ToolHandler {
         listener.strandEnded();
       },
     );
-  }
-
-  hover(at: Place | null): void {
-    this.last = at;
-    this.overlay.cursor("crosshair");
-    this.show();
-  }
-
-  press(at: Place): void {
-    this.hover(at);
-  }
-
-  drag(at: Place): void {
-    this.hover(at);
   }
 
   release(at: Place): void {
@@ -80,19 +62,6 @@ export class TraceTool implements ToolHandler {
     this.typed.clear();
     // The code that makes the stroke reports why it could not be made; the strand is over then.
     if (target) this.strand.click(target).catch(() => undefined);
-    this.show();
-  }
-
-  double(): void {
-    // Each of its clicks was taken already.
-  }
-
-  context(at: Place): void {
-    if (!this.cancel()) this.listener.menu({ x: at.x, y: at.y });
-  }
-
-  abort(): void {
-    this.last = null;
     this.show();
   }
 
@@ -207,7 +176,7 @@ export class TraceTool implements ToolHandler {
     return { kind: "angle", at: inDirections(stage.plane ?? GROUND, end.at, free.at, grid) };
   }
 
-  private show(): void {
+  protected show(): void {
     const { stage } = this;
     const { end } = this.strand;
     const target = this.target();
@@ -223,14 +192,7 @@ export class TraceTool implements ToolHandler {
       text ? { at: middle([end.at, target.at]), text, verdict: null, beside: [end.at, target.at], first: true } : null,
     );
     this.read(text && this.typed.readout(text));
-    const place = this.typed.begun ? null : target;
-    const key = place ? `${place.kind} ${place.at.join()}` : "";
-    if (key === this.hovered) return;
-    this.hovered = key;
-    const seen = place && stage.projection.seen(place.at);
-    this.listener.hovered(
-      place && seen ? { kind: "snap", snap: place.kind, at: place.at, x: seen.x, y: seen.y } : null,
-    );
+    this.tellHovered(this.typed.begun ? null : target);
   }
 
   /** Another tool writes there too, and keeps what it has written. */
