@@ -26,6 +26,16 @@ const BEGINNINGS: Readonly<Record<string, string>> = {
   "job-sheet": "%PDF-",
 };
 
+it("leads to the other machines, for a person who wants a file for one of them", async () => {
+  await section().getByText("For WireBend-kit", { exact: true }).waitFor();
+  await section().getByRole("button", { name: "Another machine…" }).click();
+  const list = editor.page.getByRole("dialog", { name: "Machine" });
+  await list.getByText("Pensa", { exact: false }).first().waitFor();
+  await editor.isCleanNow("export-machines");
+  await editor.page.keyboard.press("Escape");
+  await list.waitFor({ state: "detached" });
+});
+
 it("writes each format of the machine, and each file begins as was shown", async () => {
   const { formats } = await editor.loopback.ask("exports", {});
   expect(formats.map(({ id }) => id)).toEqual(

@@ -57,6 +57,7 @@ export function ExportSection() {
           <Line tone="warning" what="A driver did not answer" sub={problem} />
         </ul>
       ))}
+      {machine && <ForMachine />}
       {store.formats && format && <Formats />}
       {format && (
         <>
@@ -75,6 +76,23 @@ export function ExportSection() {
         </>
       )}
     </Section>
+  );
+}
+
+/** Whose files these are: who wants one for another machine looks for it here. */
+function ForMachine() {
+  const machine = useDesign((design) => design.state?.machine ?? null);
+  const machines = useMachines((store) => store.machines);
+  const name = machines?.find(({ id }) => id === machine)?.name ?? machine;
+  return (
+    <div className="row">
+      <span className="muted small grow ellipsis" title={`For ${name}`}>
+        For {name}
+      </span>
+      <Button kind="link" onClick={() => useUi.getState().chooseMachine(true)}>
+        Another machine…
+      </Button>
+    </div>
   );
 }
 

@@ -44,6 +44,8 @@ export interface Ui {
   readonly panelWidth: number;
   readonly dialog: DialogName | null;
   readonly operation: OperationName | null;
+  /** Whether the list of machines in the bar at the top is open. */
+  readonly choosingMachine: boolean;
   toggleSection(id: SectionId): void;
   /** Opens a section and brings it into sight. */
   showSection(id: SectionId): void;
@@ -51,6 +53,7 @@ export interface Ui {
   setUnit(unit: DisplayUnit): void;
   setPanelWidth(px: number): void;
   showDialog(dialog: DialogName | null): void;
+  chooseMachine(open: boolean): void;
   /** Opens the parameters of an operation, or closes them. */
   showOperation(operation: OperationName | null): void;
 }
@@ -110,6 +113,7 @@ export const useUi = create<Ui>()((set, get) => ({
   ...keptUi(stored(KEY), globalThis.innerWidth ?? 1280),
   dialog: null,
   operation: null,
+  choosingMachine: false,
   toggleSection: (id) =>
     set(({ open }) => ({ open: open.includes(id) ? open.filter((other) => other !== id) : [...open, id] })),
   showSection: (id) => {
@@ -120,6 +124,7 @@ export const useUi = create<Ui>()((set, get) => ({
   setUnit: (unit) => set({ unit }),
   setPanelWidth: (px) => set({ panelWidth: Math.min(PANEL.most, Math.max(PANEL.least, Math.round(px))) }),
   showDialog: (dialog) => set({ dialog }),
+  chooseMachine: (choosingMachine) => set({ choosingMachine }),
   showOperation: (operation) => {
     set({ operation });
     if (operation === null) return;

@@ -1,14 +1,17 @@
-import { useEffect, useState } from "react";
+import { useEffect } from "react";
 import { Icon } from "../../../shared/controls/icons";
 import { Popover } from "../../../shared/layers/Popover";
 import { useDesign } from "../../../state/design/design";
 import { needMachines, stopComparing, useMachines } from "../../../state/machine/machines";
+import { useUi } from "../../../state/window/ui";
 import { MachineList } from "./MachineList";
 import "../machine.css";
 
 /** The machine of the design, always in sight; opens the list of all. */
 export function MachinePicker() {
-  const [open, setOpen] = useState(false);
+  // *Export* opens it too.
+  const open = useUi((ui) => ui.choosingMachine);
+  const setOpen = useUi((ui) => ui.chooseMachine);
   const id = useDesign((design) => design.state?.machine ?? null);
   const machines = useMachines((store) => store.machines);
   useEffect(needMachines, []);
