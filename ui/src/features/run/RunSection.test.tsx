@@ -36,6 +36,16 @@ it("has a button to connect a machine that has failed again: its problem says to
   expect(buttons()).not.toContain("Connect again");
 });
 
+it("says while it homes what moves and how to end it, without a figure that nobody knows", () => {
+  useRun.setState({ state: machineState("homing") });
+  at.show(<RunSection />);
+  expect(at.host.querySelector(".run-state")?.textContent).toContain("Axes move to find zero. STOP ends it.");
+  const bar = at.host.querySelector<HTMLProgressElement>(".run-state progress");
+  expect([bar?.getAttribute("aria-label"), bar?.hasAttribute("value")]).toEqual(["Homing", false]);
+  act(() => useRun.setState({ state: machineState("ready", "home") }));
+  expect(at.host.querySelector(".run-state progress")).toBeNull();
+});
+
 it("stops the machine out of any dialog, which makes STOP in the top bar inert, and only while there is one", () => {
   const about = (
     <DialogHead value={<SessionStop />}>

@@ -1,4 +1,5 @@
 import { Button } from "../../shared/controls/Button";
+import { Bar } from "../../shared/controls/inputs";
 import { Line } from "../../shared/lists/Line";
 import { useMachines } from "../../state/machine/machines";
 import type { MachineState } from "../../state/machine/operator";
@@ -9,6 +10,9 @@ import { Fault } from "./Fault";
 import { simulatedPhrase } from "./phrases";
 import { useProspect } from "./prospect";
 
+/** It takes as long as the slowest axis needs for its way, which no machine tells beforehand. */
+const HOMING = "Axes move to find zero. STOP ends it.";
+
 /** Which machine is connected, how it stands, homing, and disconnecting. */
 export function Session({ state }: { readonly state: MachineState }) {
   const designed = useRunMachine();
@@ -18,16 +22,17 @@ export function Session({ state }: { readonly state: MachineState }) {
   const name = (id: string | null) => machines?.find((machine) => machine.id === id)?.name ?? id ?? "none";
   const simulated = simulatedPhrase(state.simulated_as, name);
   const other = designed !== state.machine;
+  const homing = state.phase === "homing" && !state.question;
+  const who = [name(state.machine), state.simulated ? "simulated" : state.port, state.identity];
   return (
     <div className="stack">
       <div className="run-state" role="status">
         <span className={`run-phase ${state.phase}`}>{doingPhrase(state)}</span>
-        <span className="muted">
-          {name(state.machine)} · {state.simulated ? "simulated" : (state.port ?? "")}
-        </span>
+        <span className="small">{homing && HOMING}</span>
         <span className="muted small" title={state.identity ?? undefined}>
-          {state.identity}
+          {who.filter(Boolean).join(" · ")}
         </span>
+        {homing && <Bar label="Homing" done={0} of={0} />}
         {simulated && <span className="muted small">{simulated}</span>}
       </div>
       <Fault state={state} all={all} />
