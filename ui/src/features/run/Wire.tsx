@@ -4,6 +4,7 @@ import { Bar, Checkbox, Select } from "../../shared/controls/inputs";
 import { useLengths } from "../../shared/figures/unit";
 import { useDesign } from "../../state/design/design";
 import { isInWire, type MachineState } from "../../state/machine/operator";
+import { setPieces, setStock, useRow } from "../../state/machine/row";
 import { order } from "../../state/machine/run";
 import { useOtherWire } from "../../state/program/program";
 import { useRunFile } from "../../state/program/run_file";
@@ -12,7 +13,7 @@ import { Part } from "../panel/Section";
 import { buttons } from "./buttons";
 import { Differing } from "./Differing";
 import { Pieces } from "./Pieces";
-import { progressPhrase } from "./phrases";
+import { leftPhrase, progressPhrase } from "./phrases";
 import { useProspect } from "./prospect";
 import { Ended } from "./records/Ended";
 import { Speed } from "./Speed";
@@ -26,8 +27,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
   const [accept, setAccept] = useState(false);
   const version = useDesign((design) => design.version);
   const [wanted, setWanted] = useState<{ readonly version: number; readonly file: unknown } | null>(null);
-  const [pieces, setPieces] = useState(1);
-  const [stockMm, setStock] = useState<number | null>(null);
+  const { pieces, stockMm, row } = useRow();
   const [cut, setCut] = useState(true);
   const otherWire = useOtherWire();
   const prospect = useProspect();
@@ -135,6 +135,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
           </Button>
         )}
       </div>
+      {row && !under && <p className="muted small">{leftPhrase(row, state.unfinished !== null)}</p>}
       {state.wire && under && (
         <div className="stack">
           <Bar done={state.wire.made} of={state.wire.of} label="Wire" />

@@ -6,6 +6,7 @@ import { errorText } from "../../platform/error_text";
 import { angle, type DisplayUnit, deviation, length, time } from "../../shared/figures/format";
 import type { Tone } from "../../shared/lists/Mark";
 import type { Move, Unfinished, WireRun, WireState } from "../../state/machine/operator";
+import type { Row } from "../../state/machine/row";
 
 /** "/dev/ttyACM0 · Arduino Uno · probably this one". */
 export function portPhrase({ name, description, usb, likely_for, simulated }: PortEntry): string {
@@ -28,6 +29,13 @@ function ofPiece(piece: WireState["piece"]): string {
 /** "14 of 31 steps done · 2:10, 1:05 left"; by the clock where the machine does not report what it has done. */
 export function progressPhrase({ made, done_by, of, elapsed_s, remaining_s, piece }: WireState): string {
   return `${ofPiece(piece)}${made} of ${of} steps ${done_by === "machine" ? "done" : "by the clock"} · ${time(elapsed_s)}, ${time(remaining_s)} left`;
+}
+
+/** "2 of 5 pieces are finished: 3 remain, with the one that was interrupted." */
+export function leftPhrase({ of, left }: Row, interrupted: boolean): string {
+  const made = of - left;
+  const finished = `${made === 0 ? "None" : made} of ${of} pieces ${made > 1 ? "are" : "is"} finished`;
+  return `${finished}: ${left} ${left === 1 ? "remains" : "remain"}${interrupted ? ", with the one that was interrupted" : ""}.`;
 }
 
 function doubtful(steps: readonly [number, number] | null | undefined): string {

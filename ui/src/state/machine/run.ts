@@ -20,6 +20,7 @@ import {
   type Question,
   type WireRun,
 } from "./operator";
+import { forgetRow, hearRow } from "./row";
 
 interface RunStore {
   /** How the machine stands; null as long as none was connected. */
@@ -135,6 +136,7 @@ export function hearOperator(event: OperatorEvent): void {
       // The notes of a wire that was bent were shown on the way.
       if (event.wires.length === 0) for (const note of event.notes) tell("warning", errorText(note), note.code);
       useRun.setState({ ended: event.wires.at(-1) ?? null });
+      hearRow(event);
       if (event.wires.at(-1)?.outcome === "made") showMade();
       break;
     case "stopped":
@@ -302,4 +304,5 @@ export function stop(): void {
 /** What became of the last wire is said of the design that it is of. */
 export function forgetEnded(): void {
   useRun.setState({ ended: null });
+  forgetRow();
 }
