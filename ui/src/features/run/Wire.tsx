@@ -51,7 +51,8 @@ export function Wire({ state }: { readonly state: MachineState }) {
   const stock = wires[wire]?.stock_mm;
   return (
     <Part
-      title="Wire"
+      // Both are in sight, the file here and the design behind it: this says which of them is bent.
+      title={file ? `Wire of ${file.name}` : "Wire of the design"}
       aside={
         typeof stock === "number" && !under ? (
           <span className="muted small">load {long(stock)} of wire</span>
