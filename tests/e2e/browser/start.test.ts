@@ -16,6 +16,20 @@ const into = (file: string) => join(editor.loopback.home, "files", file);
 it("leads through four steps once, and stands in the way of no menu", async () => {
   const note = editor.page.getByRole("note", { name: "First steps" });
   await note.getByText("Start with a shape").waitFor();
+  await editor.isCleanNow("start-hint-first");
+  const [hint, ...others] = await Promise.all(
+    [note, editor.page.getByRole("heading", { name: "Drop a model or a drawing here" }), editor.button("Open…")].map(
+      (of) => of.boundingBox(),
+    ),
+  );
+  // It is read beside what it is about, not over it.
+  for (const other of others) {
+    const over =
+      (hint?.x ?? 0) + (hint?.width ?? 0) > (other?.x ?? 0) &&
+      (hint?.y ?? 0) < (other?.y ?? 0) + (other?.height ?? 0) &&
+      (hint?.y ?? 0) + (hint?.height ?? 0) > (other?.y ?? 0);
+    expect(over).toBe(false);
+  }
   await note.getByRole("button", { name: "Next" }).click();
   await note.getByText("Choose the machine and the wire").waitFor();
   await editor.isCleanNow("start-hint");

@@ -56,6 +56,11 @@ it("asks once what the numbers of a stencil measure, and says what size comes ou
   await editor.isCleanNow("trace-units");
   await dialog.getByRole("button", { name: "Open" }).click();
   await trace().getByText("12 faces").first().waitFor();
+  // What the notes of the file are shown in leaves the help at the pointer readable.
+  const [hint, notes] = await Promise.all(
+    [".pointer-hint", ".open-notes"].map((of) => editor.page.locator(of).boundingBox()),
+  );
+  expect((hint?.x ?? 0) + (hint?.width ?? 0)).toBeLessThanOrEqual(notes?.x ?? 0);
   expect(await dialog.count()).toBe(0);
   expect((await editor.design()).state.stencils.map(({ surface }) => surface?.faces)).toEqual([12]);
 });

@@ -9,7 +9,7 @@ interface Hint {
   readonly text: string;
   /** Beside what it stands. */
   readonly beside: string;
-  readonly side: "right" | "left" | "below";
+  readonly side: "left" | "below";
 }
 
 const HINTS: readonly Hint[] = [
@@ -17,7 +17,7 @@ const HINTS: readonly Hint[] = [
     title: "Start with a shape",
     text: "Trace on a model, draw on a plane, or open a drawing. Each tool has a key; ? lists them all.",
     beside: ".toolbar",
-    side: "right",
+    side: "below",
   },
   {
     title: "Choose the machine and the wire",
@@ -62,7 +62,6 @@ function Bubble({ hint, step }: { readonly hint: Hint; readonly step: number }) 
       const own = bubble.current?.getBoundingClientRect();
       if (!from || !own) return;
       const wanted = {
-        right: { left: from.right + 12, top: from.top + 8 },
         left: { left: from.left - own.width - 12, top: from.top },
         below: { left: from.left, top: from.bottom + 10 },
       }[hint.side];
