@@ -38,7 +38,9 @@ it("offers them again where it was given up, and counts a row of the rest as its
 it("keeps the number of a row that was finished, and of one that a person has set", () => {
   setPieces(4);
   for (const made of [1, 2, 3, 4]) hearRow(ended("made", made, 4, 900));
-  expect(useRow.getState()).toMatchObject({ pieces: 4, row: null });
+  expect(useRow.getState(), "and what is left of the wire").toEqual({ pieces: 4, stockMm: 900, row: null });
+  hearRow(ended("made", 1, 1, 613.9));
+  expect(useRow.getState().stockMm).toBe(613);
   hearRow(ended("stopped", 2, 4));
   setPieces(7);
   hearRow(ended("made", 1, 1));

@@ -45,11 +45,11 @@ export function hearRow({ wires, pieces: { made, of, stock_left_mm } }: Pick<End
   if (!last) return;
   const whole = WHOLE.has(last.outcome);
   const { row } = useRow.getState();
+  // How much of an interrupted piece is fed is not counted.
+  setStock(whole && stock_left_mm !== null ? Math.floor(stock_left_mm) : null);
   if (of > 1) {
     const left = of - made;
-    // How much of an interrupted piece is fed is not counted.
-    const stockMm = whole && stock_left_mm !== null ? Math.floor(stock_left_mm) : null;
-    if (left > 0) useRow.setState({ pieces: left, row: { of, left }, stockMm });
+    if (left > 0) useRow.setState({ pieces: left, row: { of, left } });
     else useRow.setState({ pieces: of, row: null });
   } else if (row && whole) {
     const left = row.left - 1;
