@@ -13,14 +13,18 @@ let lost = false;
 /** Whether a letter would be for a field that has lost the focus, and not for the view. */
 export const wasTyping = (): boolean => lost;
 
-/** Follows what is used last: a field, until something else gets the focus or the view is clicked. Fields of a dialog go with it. */
+/**
+ * Follows what is used last: a field, until the view has the focus, or a button is clicked. Tab goes from a field to a button, and what is
+ * typed then may still be meant for the field. Fields of a dialog go with it.
+ */
 export function followFields(): End {
   const stop = new AbortController();
   const { signal } = stop;
   lost = false;
   const used = ({ target }: Event) => {
     if (!(target instanceof Element)) return;
-    lost = typing(target) && target.closest("dialog") === null;
+    if (typing(target)) lost = target.closest("dialog") === null;
+    else if (target.closest(".work, dialog, [role=menu]")) lost = false;
   };
   const pressed = ({ target }: Event) => {
     if (target instanceof Element && target.closest(".work, button, [role=menu]")) lost = false;

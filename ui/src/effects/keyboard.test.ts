@@ -88,9 +88,24 @@ describe("keys of the window", () => {
     useProblems.setState({ problems: [] });
   });
 
-  it("work again once something else has the focus, and after a dialog with fields", () => {
+  it("do nothing to the design after Tab from a field to a button, which takes its own", () => {
+    const field = add('<input type="text" data-target><button>Arm</button><canvas class="work" tabindex="0"></canvas>');
+    (field as HTMLElement).focus();
+    const button = document.querySelector("button");
+    button?.focus();
+    for (const key of ["m", "Delete"]) expect(press(key, button ?? undefined).defaultPrevented).toBe(true);
+    expect(press(" ", button ?? undefined).defaultPrevented).toBe(false);
+    expect(ran).toEqual([]);
+    document.querySelector("canvas")?.focus();
+    press("m");
+    expect(ran).toEqual(["merge"]);
+    useProblems.setState({ problems: [] });
+  });
+
+  it("work again once a button was clicked, and after a dialog with fields", () => {
     const field = add('<input type="text" data-target><button>Arm</button><dialog><input type="text"></dialog>');
     (field as HTMLElement).focus();
+    document.querySelector("button")?.dispatchEvent(new PointerEvent("pointerdown", { bubbles: true }));
     document.querySelector("button")?.focus();
     press("m");
     const asked = document.querySelector<HTMLInputElement>("dialog input");

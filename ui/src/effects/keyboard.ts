@@ -48,7 +48,7 @@ function undoesDesign({ target, key, ctrlKey, metaKey }: KeyboardEvent): boolean
 function pressed(event: KeyboardEvent): void {
   if (event.isComposing || event.defaultPrevented || asked() || inMenu(event)) return;
   const writes = typing(event.target);
-  if (!writes && wasTyping() && writesSign(event)) {
+  if (!writes && wasTyping() && writesSign(event) && !used(event.target, event.key)) {
     event.preventDefault();
     const meant = commandOf(chordOf(event), false);
     if (meant?.onlyLooks) run(meant.command);
