@@ -191,7 +191,7 @@ const REMEDIES: { readonly [K in Kind]: (remedy: Extract<ErrorRemedy, { remedy: 
   "resume-without-answer": () => "Resume it again.",
   "stop-and-answer": () => "Stop the machine, then state step by step what is done.",
   "measure-step": () => "Measure it.",
-  "cut-by-hand": () => "Turn off *Cut each piece off*, and cut the pieces off by hand.",
+  "cut-by-hand": () => "Turn off \u201cCut each piece off\u201d, and cut the pieces off by hand.",
   "begin-anew": () => "Give the wire up, and bend it anew.",
   "name-runs-folder": () => "",
   "list-runs": () => "See the records in Run.",

@@ -309,7 +309,7 @@ export function refusalOf(check: LiveCheck | null): { readonly sub: string; read
       : hits === errors.length
         ? "The wire will hit the machine or itself: watch it, with STOP at hand."
         : "The wire will hit the machine or itself, and not come out as designed: watch it, with STOP at hand.";
-  return { sub: `Check found ${found}. Fix what it names, or go on anyway.`, consequence };
+  return { sub: `Check found ${found}. Fix the problems in Check, or go on anyway.`, consequence };
 }
 
 /** How many bodies of the machine are only estimated: "5 of 6 bodies are estimates"; null where all are measured. */

@@ -46,9 +46,9 @@ const SAID_TOO: ReadonlySet<ErrorRemedy["remedy"]> = new Set([
 ]);
 
 /** The buttons for a remedy, one for each choice; none where a person has to do it. */
-function actsFor({ remedy }: ErrorRemedy, state: MachineState, all: RunButtons): readonly Act[] {
+function actsFor(remedy: ErrorRemedy, state: MachineState, all: RunButtons): readonly Act[] {
   const { unfinished } = state;
-  switch (remedy) {
+  switch (remedy.remedy) {
     case "home":
       return [
         {
@@ -67,6 +67,15 @@ function actsFor({ remedy }: ErrorRemedy, state: MachineState, all: RunButtons):
           consequence: "This connection is closed, and another one made. Nothing moves.",
           why: null,
           run: () => void connect(state.port, state.simulated_as),
+        },
+      ];
+    case "connect-at":
+      return [
+        {
+          label: `Connect ${remedy.port}`,
+          consequence: "This connection is closed, and one to the machine at that port made. Nothing moves.",
+          why: null,
+          run: () => void connect(remedy.port, state.simulated_as),
         },
       ];
     case "start-or-disarm":

@@ -97,7 +97,7 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
         <Button
           small
           why={none ?? all.replay}
-          title={`Runs the ${count(recorded.length, "recorded move")} again, from the reference`}
+          title={`Homes the machine, then makes the ${count(recorded.length, "recorded move")} again`}
           // A person is asked before anything moves, by the Rust side.
           onClick={() => void order({ order: "replay", file: null })}
         >

@@ -11,7 +11,7 @@ type Kind = RunFileReport["kind"];
 export const HOW: Readonly<Record<Kind, { readonly what: string; readonly sub: string }>> = {
   job: { what: "Runs as it was planned", sub: "The design behind it is not used." },
   program: { what: "Runs as it stands", sub: "Nothing of it is compensated. The view shows the shape that it leaves." },
-  moves: { what: "Is replayed move by move", sub: "From the reference; the view shows the wire as ordered." },
+  moves: { what: "Is replayed move by move", sub: "The machine homes first. The view shows the wire as ordered." },
 };
 
 /** "job for WireBend-kit". */
