@@ -2,6 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use wirebend_core::compensate::PegGeometry;
 use wirebend_core::plan::Machine;
 use wirebend_core::units::{Length, Mm};
 use wirebend_core::wireframe::{ChordLimits, Component, Wireframe};
@@ -54,6 +55,7 @@ pub fn chord_limits(machine: &Machine) -> ChordLimits {
         min_feed: machine.limits.min_feed.value,
         bend_radius: feed.map_or(Length::ZERO, |feed| feed.bend_radius),
         neutral_radius: feed.map_or(Length::ZERO, |feed| feed.neutral_radius),
+        lead: machine.compensation.bend.setback.as_ref().map_or(Length::ZERO, PegGeometry::meets),
     }
 }
 
@@ -203,6 +205,11 @@ pub fn bend_count(wireframe: &Wireframe, straight_deg: f64) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::{Point3, Vector3};
+    use wirebend_core::plan::{PlanOptions, WirePlan, plan_wires};
+    use wirebend_core::units::Angle;
+    use wirebend_core::wireframe::{Edit, Outcome, PolygonSize, ShapePlane};
+
     use super::*;
 
     /// Two corners of 90° take a tangent of the bend radius each, and the arc of one is fed for it: 25 mm are left of
@@ -231,5 +238,35 @@ mod tests {
             let error = asked.chosen(None).unwrap_err().to_string();
             assert!(error.contains(expected), "{error}");
         }
+    }
+
+    /// What a shape says of its edges is what the checks say of the wire: also of the first one, which has to reach the peg.
+    #[test]
+    fn shapes_that_fit_are_those_that_the_checks_let_pass() {
+        let app = Installation::new(&[]).unwrap();
+        let plane = ShapePlane { centre: Point3::origin(), u: Vector3::x_axis(), v: Vector3::y_axis() };
+        let mm = |mm: f64| Length::from_mm(mm).unwrap();
+        let mut passed = [0, 0];
+        for machine in ["wirebend-kit", "grbl-bender"] {
+            let setup = app.setup(machine, None).unwrap();
+            let limits = chord_limits(&setup.model);
+            for sides in [6, 9, 12, 18] {
+                for side in 18..36 {
+                    // Between whole millimetres, where no limit is.
+                    let size = PolygonSize::Side(mm(f64::from(side) + 0.37));
+                    let edit = Edit::AddPolygon { plane, sides, size, turn: Angle::ZERO };
+                    let mut wireframe = Wireframe::new();
+                    let Ok(Some(Outcome::Shape(shape))) = edit.outcome(&wireframe, &limits) else { panic!() };
+                    wireframe.apply(&edit).unwrap();
+                    let component = &wireframe.components()[0];
+                    let options = PlanOptions::default();
+                    let plans = plan_wires(&wireframe, component, &setup.model, &options, |_| ());
+                    let feasible = plans.iter().all(WirePlan::is_feasible);
+                    assert_eq!(shape.fits, feasible, "{machine}: {sides} sides of {side}.37 mm: {shape:?}");
+                    passed[usize::from(feasible)] += 1;
+                }
+            }
+        }
+        assert!(passed.iter().all(|&count| count > 20), "{passed:?}");
     }
 }

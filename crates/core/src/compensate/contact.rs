@@ -201,8 +201,14 @@ impl PegGeometry {
 
     /// How long a wire that is straight has to be so that the peg touches it, where one of `lead` is too short.
     pub(super) fn least_lead(&self, lead: Length) -> Length {
-        let meets = Length::computed(self.offset + self.orbit_radius - self.peg);
+        let meets = self.meets();
         if lead < meets { meets } else { Length::computed(self.near()) }
+    }
+
+    /// How long straight wire has to be at its beginning so that the peg meets any of it, however far it is bent.
+    #[must_use]
+    pub fn meets(&self) -> Length {
+        Length::computed(self.offset + self.orbit_radius - self.peg)
     }
 
     /// Where the peg touches straight wire, from the pin, mm.

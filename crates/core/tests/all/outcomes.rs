@@ -23,7 +23,13 @@ fn designed(min_edge: f64) -> ChordLimits {
 
 /// One that takes setback and arc off its feeds of at least 25 mm: the published bender with 3 mm wire.
 fn kit() -> ChordLimits {
-    ChordLimits { min_edge: mm(20.4), min_feed: mm(25.0), bend_radius: mm(3.0), neutral_radius: mm(2.7) }
+    ChordLimits {
+        min_edge: mm(20.4),
+        min_feed: mm(25.0),
+        bend_radius: mm(3.0),
+        neutral_radius: mm(2.7),
+        ..ChordLimits::default()
+    }
 }
 
 fn strand(through: &[[f64; 3]]) -> Wireframe {

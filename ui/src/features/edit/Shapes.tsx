@@ -52,7 +52,8 @@ export function Shapes() {
   const [shape, setShape] = useState<Shape>("circle");
   const [centre, setCentre] = useState<Vec3>([0, 0, 0]);
   const plane = useView((view) => view.plane);
-  const radius = useFigure(50);
+  // The usual machines can make it with as many edges.
+  const radius = useFigure(60);
   const edges = useFigure(12);
   const [measure, setMeasure] = useState<Measure>("corners");
   const [turn, setTurn] = useState(0);

@@ -19,6 +19,8 @@ pub struct ChordLimits {
     pub bend_radius: Length,
     /// Radius of the neutral fibre of a bend; 0 likewise.
     pub neutral_radius: Length,
+    /// The least that is straight before the first bend of a wire, with what is bent of it; 0 where the wire may begin with a bend.
+    pub lead: Length,
 }
 
 impl ChordLimits {
@@ -47,9 +49,12 @@ impl ChordLimits {
     }
 
     /// The shortest edge of a shape, mm, where the wire is bent by `bend` between two of them; one may be the last of the wire, which
-    /// is shorter by the tangent at its beginning.
+    /// is shorter by the tangent at its beginning, and one the first, which has to reach the peg.
     pub(super) fn side(&self, bend: f64) -> f64 {
-        self.with_feed(self.lost_between(bend).max(self.bend_radius.mm() * (bend / 2.0).tan()))
+        let tangent = self.bend_radius.mm() * (bend / 2.0).tan();
+        let lead = self.lead.mm() + tangent - self.neutral_radius.mm() * bend;
+        let first = if self.lead > Length::ZERO && bend > 0.0 { lead } else { 0.0 };
+        self.with_feed(self.lost_between(bend).max(tangent)).max(first)
     }
 
     /// How much shorter than its edge a feed is between two equal bends, mm.
