@@ -67,6 +67,38 @@ it("finds what moves later, while the pointer rests, and when a key is pressed",
   await moved();
 });
 
+it("finds what has moved when the next action comes at once, and not what passes within a frame", async () => {
+  /** Clicks twice, so many frames apart, as a hand that does not wait: both within the page, where nothing comes between. */
+  const clickTwice = (frames: number, back: boolean) =>
+    editor.page.evaluate(
+      async ([frames, back]) => {
+        const title = [...document.querySelectorAll("#section-edit h3")].find(
+          (one) => one.textContent === "Operations",
+        );
+        const { left, top } = title?.getBoundingClientRect() ?? { left: 0, top: 0 };
+        const [clientX, clientY] = [left + 4, top + 4];
+        const press = () =>
+          document
+            .elementFromPoint(clientX, clientY)
+            ?.dispatchEvent(new PointerEvent("pointerdown", { clientX, clientY, bubbles: true }));
+        press();
+        dispatchEvent(new PointerEvent("pointerup"));
+        const app = document.querySelector<HTMLElement>(".app");
+        app?.style.setProperty("margin-top", "24px");
+        for (let frame = 0; frame < frames; frame += 1) await new Promise(requestAnimationFrame);
+        if (back) app?.style.removeProperty("margin-top");
+        press();
+        dispatchEvent(new PointerEvent("pointerup"));
+        app?.style.removeProperty("margin-top");
+      },
+      [frames, back] as const,
+    );
+  await clickTwice(4, false);
+  expect((await moved()).join()).toContain("h3 “Operations” by 0, 24; after a click on h3 “Operations”");
+  await clickTwice(1, true);
+  expect(await moved()).toEqual([]);
+});
+
 it("finds what moves where a box scrolls because its contents have become too short", async () => {
   const box = await editor.page.evaluateHandle(() => {
     const made = document.createElement("div");

@@ -19,7 +19,8 @@ export type Watched = typeof globalThis & { wirebendPointer?: PointerWatch };
  *
  * From then on, and until the next action, each of them that is still shown has to be where it was, on each side to 1 px; of what is no control
  * the left and the upper side. Also what comes later counts, such as an answer of the Rust side while the pointer rests. Something has moved once
- * it has been elsewhere at the same place for two looks, `LOOK_MS` apart: what passes while the page is laid out does not count.
+ * it has been elsewhere at the same place for two looks, `LOOK_MS` apart, or when the next action comes, for `FRAMES` frames without a scroll:
+ * what passes while the page is laid out does not count.
  *
  * No movement is what the person asked for:
  *
@@ -27,6 +28,7 @@ export type Watched = typeof globalThis & { wirebendPointer?: PointerWatch };
  *   contents have become too short, is none of these;
  * - what a dialog or a menu covers that has opened where the pointer is;
  * - another size of the window, and a drag, until the next action;
+ * - all of the panel, after a click on a control that leads to another section of it (`aria-controls`);
  * - below a control that opens and closes (`aria-expanded`, `summary`): what comes after it in the document. It stays itself, until the page
  *   brings what was opened into sight.
  */
@@ -38,6 +40,8 @@ export function watchPointer(tell: string): void {
   const NEAR = 14;
   const LOOK_MS = 100;
   const SAME = 1;
+  /** What is elsewhere for so many frames was seen there. */
+  const FRAMES = 2;
   /** What was opened is brought into sight within this time. */
   const SIGHT_MS = 1000;
   /** px that a pressed pointer moves before it drags. */
@@ -53,12 +57,15 @@ export function watchPointer(tell: string): void {
   let at: { readonly x: number; readonly y: number } | null = null;
   let pressed: { readonly x: number; readonly y: number } | null = null;
   let heights = new Map<Element, number>();
+  /** How far the boxes around what is kept were scrolled. */
+  let scrolled = new Map<Element, number>();
   let own: Element | null = null;
   let opening: Element | null = null;
   let openedAt = -Infinity;
   let sighted = false;
   let elsewhere = "";
   let since = 0;
+  let drawn = { elsewhere: "", frames: 0 };
   let telling: Promise<void> | undefined;
 
   const name = (element: Element) => {
@@ -84,8 +91,7 @@ export function watchPointer(tell: string): void {
     action = what;
     opening = opened;
     if (opened) openedAt = performance.now();
-    elsewhere = "";
-    kept = [];
+    forget();
     if (!at) return;
     const { x, y } = at;
     const hit = document.elementFromPoint(x, y);
@@ -115,10 +121,12 @@ export function watchPointer(tell: string): void {
         control: element !== under || control !== null,
       }));
     heights = new Map(scrollers(under).map((one) => [one, one.scrollHeight]));
+    scrolled = new Map(scrollers(under).map((one) => [one, one.scrollTop]));
   };
   const forget = () => {
     kept = [];
     elsewhere = "";
+    drawn = { elsewhere: "", frames: 0 };
   };
 
   /** Whether a dialog or a menu has come between the pointer and what it was on. */
@@ -127,20 +135,36 @@ export function watchPointer(tell: string): void {
     return now !== null && now !== undefined && kept.every(({ element }) => element.closest(LAYERS) !== now);
   };
 
-  const look = () => {
+  /** What is elsewhere now, and by how much. */
+  const found = (): string => {
     if (kept.length > 0 && isCovered()) forget();
-    const found = kept.flatMap((one) => {
+    const all = kept.flatMap((one) => {
       const sides = by(one);
       return sides.length > 0 ? [`${name(one.element)} by ${sides.join(", ")}`] : [];
     });
-    const now = found.join("; ");
+    return all.join("; ");
+  };
+  /** Counts for how many frames in a row what is elsewhere is at the same place. */
+  const count = () => {
+    const now = found();
+    drawn = { elsewhere: now, frames: now !== "" && now === drawn.elsewhere ? drawn.frames + 1 : 1 };
+    requestAnimationFrame(count);
+  };
+  requestAnimationFrame(count);
+
+  /** `acted`: a person does the next thing, to what they have seen. */
+  const look = (acted = false) => {
+    const now = found();
     if (now !== elsewhere) [elsewhere, since] = [now, performance.now()];
-    if (now === "" || performance.now() - since < LOOK_MS * 0.9) return;
+    // Whether a scroll is wanted is known once it is reported, which the next action may come before.
+    const still = [...scrolled].every(([box, top]) => Math.abs(box.scrollTop - top) < SAME);
+    const seen = acted && still && now === drawn.elsewhere && drawn.frames >= FRAMES;
+    if (now === "" || (!seen && performance.now() - since < LOOK_MS * 0.9)) return;
     const { [tell]: told } = globalThis as unknown as Record<string, (what: string) => Promise<void>>;
     telling = told?.(`${now}; after ${action}`);
     forget();
   };
-  setInterval(look, LOOK_MS);
+  setInterval(() => look(), LOOK_MS);
   (globalThis as Watched).wirebendPointer = {
     rest: () =>
       new Promise<void>((done) => {
@@ -163,7 +187,7 @@ export function watchPointer(tell: string): void {
       const dragged = pressed && Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > DRAG;
       const target = event.target instanceof Element ? event.target : null;
       if (at && at.x === event.clientX && at.y === event.clientY) return;
-      look();
+      look(true);
       at = { x: event.clientX, y: event.clientY };
       if (dragged) forget();
       else if (!pressed && target) keep(`the pointer came on ${name(target.closest(CONTROLS) ?? target)}`);
@@ -173,10 +197,11 @@ export function watchPointer(tell: string): void {
   addEventListener(
     "pointerdown",
     (event) => {
-      look();
+      look(true);
       pressed = at = { x: event.clientX, y: event.clientY };
-      if (event.target instanceof Element)
-        keep(`a click on ${name(event.target.closest(CONTROLS) ?? event.target)}`, opens(event.target));
+      if (!(event.target instanceof Element)) return;
+      if (event.target.closest("[aria-controls^='section-']")) forget();
+      else keep(`a click on ${name(event.target.closest(CONTROLS) ?? event.target)}`, opens(event.target));
     },
     capture,
   );
@@ -187,7 +212,7 @@ export function watchPointer(tell: string): void {
   addEventListener(
     "keydown",
     ({ key, target }) => {
-      look();
+      look(true);
       keep(`the key ${key}`, opens(target));
     },
     capture,
@@ -197,7 +222,7 @@ export function watchPointer(tell: string): void {
     ({ target }) => {
       // It follows a click, which the page has heard of by now.
       if (target instanceof HTMLInputElement && ["checkbox", "radio"].includes(target.type)) return;
-      look();
+      look(true);
       keep(`a value of ${target instanceof Element ? name(target) : "?"}`);
     },
     capture,

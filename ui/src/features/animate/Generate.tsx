@@ -13,7 +13,7 @@ export function Generate() {
   const showSection = useUi((ui) => ui.showSection);
   const made = program !== null && program.wires.length > 0;
   const toCheck = (
-    <Button kind="link" onClick={() => showSection("check")}>
+    <Button kind="link" aria-controls="section-check" onClick={() => showSection("check")}>
       Check
     </Button>
   );

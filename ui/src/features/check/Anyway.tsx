@@ -33,7 +33,7 @@ export function Anyway({
           what="The machine cannot bend this"
           sub={sub}
           action={
-            <Button kind="link" onClick={() => showSection("check")}>
+            <Button kind="link" aria-controls="section-check" onClick={() => showSection("check")}>
               Check
             </Button>
           }

@@ -101,7 +101,9 @@ function Stencils({ none }: { readonly none: string | null }) {
         >
           {stencilsShown ? <Either shown="Hide all" other="Show all" /> : <Either shown="Show all" other="Hide all" />}
         </Button>
-        <Button onClick={() => useUi.getState().showSection("parts")}>Place or remove…</Button>
+        <Button aria-controls="section-parts" onClick={() => useUi.getState().showSection("parts")}>
+          Place or remove…
+        </Button>
       </div>
     </div>
   );
