@@ -338,6 +338,11 @@ export class Viewport {
     return this.stage.projection.sees(seen) ? { x: seen.x, y: seen.y } : null;
   }
 
+  /** The parts of segments that are in front of the eye, as `screen`, and the middle of the gizmo, mm; null where it is not shown. */
+  get seen() {
+    return { segment: (a: Vec3, b: Vec3) => this.stage.projection.segment(a, b), gizmo: this.stage.gizmoAt };
+  }
+
   dispose(): void {
     this.stop.abort();
     this.resized.disconnect();

@@ -1,16 +1,17 @@
 // @vitest-environment happy-dom
 import { act } from "react";
-import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 
 vi.mock("../../platform", () => ({
   platform: { ask: vi.fn(), stop: vi.fn(), listen: vi.fn() },
   Refused: class Refused extends Error {},
 }));
 
+import type { SceneVertex, Vec3 } from "../../scene/interface";
 import { place } from "../../shared/testing";
 import { tell, useProblems } from "../../state/asking/problems";
 import { useDesign } from "../../state/design/design";
-import { useSelection } from "../../state/design/selection";
+import { highlight, select } from "../../state/design/selection";
 import { useView } from "../../state/window/view";
 import { Problems } from "./Problems";
 
@@ -87,19 +88,115 @@ it("does not wait for a pointer that rests where the first has come", () => {
   expect(texts()).toEqual(["4", "3", "2"]);
 });
 
-it("is at the upper edge where it would cover what is selected", () => {
-  const handle = { screen: () => ({ x: 0, y: 0 }) } as unknown as ReturnType<typeof useView.getState>["handle"];
-  useDesign.setState({ vertices: new Map([[1, { id: 1, at: [0, 0, 0], support: false }]]), edges: new Map() });
-  Object.defineProperty(HTMLElement.prototype, "offsetParent", { get: () => document.body, configurable: true });
-  const topped = () => box().className === "problems top";
-  useView.setState({ handle });
-  useSelection.setState({ vertices: new Set(), edges: new Set() });
-  say("error", "1");
-  expect(topped()).toBe(false);
-  press("Dismiss");
-  useSelection.setState({ vertices: new Set([1]), edges: new Set() });
-  say("error", "2");
-  expect(topped()).toBe(true);
+describe("what a message speaks of", () => {
+  const SIZE = { x: 0, y: 0, width: 800, height: 600 };
+  /** At the foot of the view and at its head: a message of 560 × 60 px. */
+  const FOOT = { left: 120, right: 680, top: 484, bottom: 544 };
+  const HEAD = { left: 120, right: 680, top: 80, bottom: 140 };
+  const inPicture = ([x, , z]: Vec3) => ({ x, y: SIZE.height - z });
+  const vertex = (id: number, x: number, up: number): [number, SceneVertex] => [
+    id,
+    { id, at: [x, 0, up], support: false },
+  ];
+  const topped = () => box().classList.contains("top");
+  const show = (gizmo: Vec3 | null = null) => {
+    const segment = (a: Vec3, b: Vec3) => ({ a: inPicture(a), b: inPicture(b) });
+    const handle = { screen: inPicture, seen: { gizmo, segment } };
+    useView.setState({ handle: handle as unknown as ReturnType<typeof useView.getState>["handle"] });
+  };
+  const choose = (vertices: readonly number[], edges: readonly number[] = []) => act(() => select(vertices, edges));
+
+  beforeEach(() => {
+    // In the picture 1 is beside both, 2 in the way at the foot, 3 at the head; the edges 1 and 2 cross one of them from side to side.
+    useDesign.setState({
+      vertices: new Map([
+        vertex(1, 400, 300),
+        vertex(2, 400, 90),
+        vertex(3, 400, 490),
+        vertex(4, 20, 90),
+        vertex(5, 780, 90),
+        vertex(6, 20, 490),
+        vertex(7, 780, 490),
+      ]),
+      edges: new Map([
+        [1, { id: 1, a: 4, b: 5 }],
+        [2, { id: 2, a: 6, b: 7 }],
+      ]),
+    });
+    choose([]);
+    Object.defineProperty(HTMLElement.prototype, "offsetParent", { get: () => document.body, configurable: true });
+    vi.spyOn(HTMLElement.prototype, "getBoundingClientRect").mockImplementation(function (this: HTMLElement) {
+      const rect = this.matches(".problems.top") ? HEAD : this.matches(".problems") ? FOOT : SIZE;
+      return { x: 0, y: 0, left: 0, top: 0, right: 800, bottom: 600, ...rect } as DOMRect;
+    });
+    show();
+  });
+  afterEach(() => {
+    vi.restoreAllMocks();
+    choose([]);
+  });
+
+  it("is not covered: a vertex", () => {
+    choose([1]);
+    say("error", "1");
+    expect(topped()).toBe(false);
+    press("Dismiss");
+    choose([2]);
+    say("error", "2");
+    expect(topped()).toBe(true);
+  });
+
+  it("is not covered: an edge whose ends are beside the message", () => {
+    choose([], [1]);
+    say("error", "0 mm is no length of an edge");
+    expect(topped()).toBe(true);
+  });
+
+  it("is not covered: the gizmo, whose arrows reach farther than its middle", () => {
+    choose([1]);
+    // 44 px above the upper side of the message.
+    show([400, 0, 160]);
+    say("error", "1");
+    expect(topped()).toBe(true);
+  });
+
+  it("is not covered by a message that was there before the one that speaks of it", () => {
+    say("info", "older");
+    expect(topped()).toBe(false);
+    act(() => highlight([2]));
+    expect(topped()).toBe(false);
+    say("error", "newer");
+    expect(topped()).toBe(true);
+    act(() => highlight());
+  });
+
+  it("is not covered once something else is selected", () => {
+    say("error", "1");
+    choose([], [1]);
+    expect(topped()).toBe(true);
+    choose([3]);
+    expect(topped()).toBe(false);
+  });
+
+  it("waits while the pointer is on a message, which does not jump away under it", () => {
+    say("error", "1");
+    point(true);
+    choose([2]);
+    say("error", "2");
+    expect(topped()).toBe(false);
+    point(false);
+    expect(topped()).toBe(true);
+  });
+
+  it("is covered as little as can be where both places are in the way, and then nothing moves", () => {
+    choose([2, 3]);
+    say("error", "1");
+    expect(topped()).toBe(false);
+    choose([2, 3], [1]);
+    expect(topped()).toBe(true);
+    choose([2, 3]);
+    expect(topped()).toBe(true);
+  });
 });
 
 const focus = (name: string) =>

@@ -2,7 +2,8 @@ import { useEffect, useLayoutEffect, useRef, useState } from "react";
 import { Button } from "../../shared/controls/Button";
 import { Mark } from "../../shared/lists/Mark";
 import { dismiss, dismissEverything, type Problem, useProblems } from "../../state/asking/problems";
-import { coversSelection } from "./covers";
+import { useSelection } from "../../state/design/selection";
+import { belongsAtTop } from "./covers";
 import "./problems.css";
 
 /** How long they are shown, ms: longer what is worse, and not counted while a person reads them or has the window out of sight. */
@@ -64,12 +65,15 @@ export function Problems() {
   const read = kept.filter((problem) => problems.includes(problem));
   const above = latest.filter((problem) => !kept.includes(problem)).slice(0, Math.max(MAX - read.length, 0));
   const shown = used ? [...above, ...kept] : latest;
-  const some = shown.length > 0;
+  const newest = problems.at(-1)?.id ?? null;
+  const vertices = useSelection((selection) => selection.vertices);
+  const edges = useSelection((selection) => selection.edges);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: each message may speak of something else, and so may what is selected
   useLayoutEffect(() => {
-    // Decided when the first comes: they do not jump while they are read.
-    if (some && box.current) setAtTop(coversSelection(box.current));
-    else setAtTop(false);
-  }, [some]);
+    if (newest === null) setAtTop(false);
+    // They do not jump while they are read.
+    else if (box.current && !used) setAtTop(belongsAtTop(box.current, atTop));
+  }, [newest, vertices, edges, used]);
   useLayoutEffect(() => {
     // What is removed or hidden takes the focus with it, and not every engine says so: nobody reads there any more.
     const at = document.activeElement;

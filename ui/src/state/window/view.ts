@@ -17,6 +17,12 @@ import { select, useSelection } from "../design/selection";
 import { store, stored } from "./ui";
 import { type DisplayUnit, useUnits } from "./units";
 
+/** CSS pixels from the upper left corner of the view. */
+interface Spot {
+  readonly x: number;
+  readonly y: number;
+}
+
 /** What the rest of the window asks of the view. */
 interface ViewHandle {
   view(name: Side): void;
@@ -26,7 +32,12 @@ interface ViewHandle {
   toggleParallel(): void;
   frame(selection?: Selection): void;
   /** CSS pixels in the view of a place of the design; null where it is behind the eye. */
-  screen(at: Vec3): { readonly x: number; readonly y: number } | null;
+  screen(at: Vec3): Spot | null;
+  /** As `screen`, the part of a segment that is in front of the eye; and where the middle of the gizmo is, mm. */
+  readonly seen: {
+    readonly gizmo: Vec3 | null;
+    segment(a: Vec3, b: Vec3): { readonly a: Spot; readonly b: Spot } | null;
+  };
   startGrab(): boolean;
   lockAxis(axis: Axis | null): void;
   handleKey(event: KeyboardEvent): boolean;
