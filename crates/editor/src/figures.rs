@@ -7,7 +7,7 @@ use wirebend_core::wireframe::{
 };
 
 use super::EditorError;
-use super::request::{AxisName, EditRequest, PlaneName, PolygonMeasure, RestPlace};
+use super::request::{AxisName, EditRequest, OwnPlane, PlaneName, PolygonMeasure, RestPlace};
 
 impl EditRequest {
     /// The edit that it is; none where it is not given in figures. `chord_limits`: see `of_wireframe`.
@@ -33,21 +33,21 @@ impl EditRequest {
                 vertices: ids(vertices),
                 transform: rotation(*axis, (*through_mm).into(), *angle_deg)?,
             },
-            Self::Circle { centre_mm, plane, radius_mm, edges } => Edit::AddPolygon {
-                plane: plane.through(*centre_mm),
+            Self::Circle { centre_mm, plane, on, radius_mm, edges } => Edit::AddPolygon {
+                plane: plane.through(*on, *centre_mm)?,
                 sides: *edges,
                 size: PolygonSize::Corners(shape_size(*radius_mm)?),
                 turn: Angle::ZERO,
             },
-            Self::Polygon { centre_mm, plane, sides, measure, size_mm, turn_deg } => Edit::AddPolygon {
-                plane: plane.through(*centre_mm),
+            Self::Polygon { centre_mm, plane, on, sides, measure, size_mm, turn_deg } => Edit::AddPolygon {
+                plane: plane.through(*on, *centre_mm)?,
                 sides: *sides,
                 size: measure.of(shape_size(*size_mm)?),
                 turn: Angle::from_deg(*turn_deg).map_err(|_| EditorError::Turn(*turn_deg))?,
             },
-            Self::Helix { centre_mm, plane, radius_mm, pitch_mm, turns, edges_per_turn, left } => {
+            Self::Helix { centre_mm, plane, on, radius_mm, pitch_mm, turns, edges_per_turn, left } => {
                 Edit::AddHelix {
-                    plane: plane.through(*centre_mm),
+                    plane: plane.through(*on, *centre_mm)?,
                     radius: shape_size(*radius_mm)?,
                     pitch: shape_size(*pitch_mm)?,
                     turns: *turns,
@@ -86,15 +86,28 @@ impl From<RestPlace> for Rest {
 }
 
 impl PlaneName {
-    /// The plane of its axes through a point.
-    fn through(self, centre_mm: [f64; 3]) -> ShapePlane {
+    /// The plane of its axes through a point, or the one that is given in its place.
+    fn through(self, on: Option<OwnPlane>, centre_mm: [f64; 3]) -> Result<ShapePlane, EditorError> {
+        if let Some(own) = on {
+            return own.through(centre_mm);
+        }
         let (x, y, z) = (Vector3::x_axis(), Vector3::y_axis(), Vector3::z_axis());
         let (u, v) = match self {
             Self::Xy => (x, y),
             Self::Xz => (x, z),
             Self::Yz => (y, z),
         };
-        ShapePlane { centre: centre_mm.into(), u, v }
+        Ok(ShapePlane { centre: centre_mm.into(), u, v })
+    }
+}
+
+impl OwnPlane {
+    fn through(self, [x, y, z]: [f64; 3]) -> Result<ShapePlane, EditorError> {
+        let u = unit(self.u)?;
+        let v = Vector3::from(self.v);
+        let v = unit((v - *u * v.dot(&u)).into())?;
+        let centre = Point3::from(self.origin_mm) + *u * x + *v * y + u.cross(&v) * z;
+        Ok(ShapePlane { centre, u, v })
     }
 }
 

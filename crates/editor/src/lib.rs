@@ -36,8 +36,8 @@ pub use fixes::{Fix, FixAll, FixChange, FixPreview};
 use history::{Done, History};
 pub use outcome::{EditOutcome, FilletPart};
 pub use request::{
-    AxisName, ChosenWalk, ConstructionChange, EditRequest, MergePlace, PastedVertex, Placed, PlaneName,
-    PolygonMeasure, RestPlace,
+    AxisName, ChosenWalk, ConstructionChange, EditRequest, MergePlace, OwnPlane, PastedVertex, Placed,
+    PlaneName, PolygonMeasure, RestPlace,
 };
 pub use view::{DesignState, DesignView, EdgeView, PauseView, VertexView, ViewChange};
 

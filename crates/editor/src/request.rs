@@ -157,6 +157,9 @@ pub enum EditRequest {
         centre_mm: [f64; 3],
         /// The plane that it lies in, through its middle.
         plane: PlaneName,
+        /// Absent for the plane of its name.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        on: Option<OwnPlane>,
         /// To its vertices.
         radius_mm: f64,
         /// How many edges.
@@ -169,6 +172,9 @@ pub enum EditRequest {
         centre_mm: [f64; 3],
         /// The plane that it lies in, through its middle.
         plane: PlaneName,
+        /// Absent for the plane of its name.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        on: Option<OwnPlane>,
         #[schemars(range(min = 3))]
         sides: u32,
         /// What its size is.
@@ -183,6 +189,9 @@ pub enum EditRequest {
         /// The middle of its beginning.
         centre_mm: [f64; 3],
         plane: PlaneName,
+        /// Absent for the plane of its name.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        on: Option<OwnPlane>,
         /// To its vertices.
         radius_mm: f64,
         /// How far a turn rises; less than 0 goes down.
@@ -356,6 +365,18 @@ pub enum PlaneName {
     Xy,
     Xz,
     Yz,
+}
+
+/// A plane that is none of the axes. What lies on it is given along its first axis, along its second, and off it, from where it was put.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OwnPlane {
+    /// Where it was put.
+    pub origin_mm: [f64; 3],
+    /// Its first axis, of any length.
+    pub u: [f64; 3],
+    /// Its second: of what it has across the first, the direction counts.
+    pub v: [f64; 3],
 }
 
 /// What the size of a regular polygon is.

@@ -244,6 +244,10 @@ export type EditRequest =
        */
       edges: number;
       edit: "circle";
+      /**
+       * Absent for the plane of its name.
+       */
+      on?: OwnPlane | null;
       plane: PlaneName;
       /**
        * To its vertices.
@@ -260,6 +264,10 @@ export type EditRequest =
       centre_mm: [number, number, number];
       edit: "polygon";
       measure: PolygonMeasure;
+      /**
+       * Absent for the plane of its name.
+       */
+      on?: OwnPlane | null;
       plane: PlaneName;
       sides: number;
       size_mm: number;
@@ -285,6 +293,10 @@ export type EditRequest =
        * Left-handed.
        */
       left?: boolean;
+      /**
+       * Absent for the plane of its name.
+       */
+      on?: OwnPlane | null;
       /**
        * How far a turn rises; less than 0 goes down.
        */
@@ -1088,6 +1100,32 @@ export interface Placed {
    */
   at_mm: [number, number, number];
   vertex: number;
+}
+/**
+ * A plane that is none of the axes. What lies on it is given along its first axis, along its second, and off it, from where it was put.
+ */
+export interface OwnPlane {
+  /**
+   * Where it was put.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  origin_mm: [number, number, number];
+  /**
+   * Its first axis, of any length.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  u: [number, number, number];
+  /**
+   * Its second: of what it has across the first, the direction counts.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  v: [number, number, number];
 }
 /**
  * The way of one wire along the edges.

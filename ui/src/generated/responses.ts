@@ -1184,6 +1184,10 @@ export type EditRequest =
        */
       edges: number;
       edit: "circle";
+      /**
+       * Absent for the plane of its name.
+       */
+      on?: OwnPlane | null;
       plane: PlaneName;
       /**
        * To its vertices.
@@ -1200,6 +1204,10 @@ export type EditRequest =
       centre_mm: [number, number, number];
       edit: "polygon";
       measure: PolygonMeasure;
+      /**
+       * Absent for the plane of its name.
+       */
+      on?: OwnPlane | null;
       plane: PlaneName;
       sides: number;
       size_mm: number;
@@ -1225,6 +1233,10 @@ export type EditRequest =
        * Left-handed.
        */
       left: boolean;
+      /**
+       * Absent for the plane of its name.
+       */
+      on?: OwnPlane | null;
       /**
        * How far a turn rises; less than 0 goes down.
        */
@@ -4294,6 +4306,32 @@ export interface Placed {
    */
   at_mm: [number, number, number];
   vertex: number;
+}
+/**
+ * A plane that is none of the axes. What lies on it is given along its first axis, along its second, and off it, from where it was put.
+ */
+export interface OwnPlane {
+  /**
+   * Where it was put.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  origin_mm: [number, number, number];
+  /**
+   * Its first axis, of any length.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  u: [number, number, number];
+  /**
+   * Its second: of what it has across the first, the direction counts.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  v: [number, number, number];
 }
 /**
  * What a fix would change in the drawing. Positions in mm.

@@ -125,3 +125,26 @@ fn what_would_be_refused_is_refused_alike_and_other_edits_have_no_outcome() {
     }
     assert_eq!(told(&editor, &json!({"edit": "weld", "tolerance_mm": 1})), None);
 }
+
+/// Three vertices of a person's own: upright, 3-4-5 in x and y, and not through the origin. A second axis that is not square to the first,
+/// and lengths that are not 1, are as good.
+#[test]
+fn shapes_lie_on_a_plane_of_ones_own() {
+    let mut editor = Editor::new(&app(), None, None).unwrap();
+    let on = json!({"origin_mm": [10, 0, 5], "u": [3, 4, 0], "v": [6, 8, 2]});
+    let helix = json!({"edit": "helix", "centre_mm": [5, 6, 7], "plane": "xy", "on": on, "radius_mm": 50, "pitch_mm": 20,
+        "turns": 1, "edges_per_turn": 4});
+    edit(&mut editor, &helix);
+    let places: Vec<[f64; 3]> = editor.view().vertices.iter().map(|vertex| vertex.at_mm).collect();
+    // u = (0.6, 0.8, 0), v = (0, 0, 1), off the plane (0.8, -0.6, 0).
+    let centre = [10.0 + 5.0 * 0.6 + 7.0 * 0.8, 5.0 * 0.8 - 7.0 * 0.6, 11.0];
+    let expected = [(50.0, 0.0), (0.0, 50.0), (-50.0, 0.0), (0.0, -50.0), (50.0, 0.0)];
+    assert_eq!(places.len(), expected.len());
+    for (k, (place, (along, up))) in (0_u8..).zip(places.iter().zip(expected)) {
+        let off = 5.0 * f64::from(k);
+        let wanted =
+            [centre[0] + along * 0.6 + off * 0.8, centre[1] + along * 0.8 - off * 0.6, centre[2] + up];
+        let error = place.iter().zip(wanted).map(|(is, wanted)| (is - wanted).abs()).fold(0.0, f64::max);
+        assert!(error < 1e-9, "{k}: {place:?}, not {wanted:?}");
+    }
+}

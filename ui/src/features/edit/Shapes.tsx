@@ -7,7 +7,7 @@ import { NumberField } from "../../shared/controls/NumberField";
 import { useLengths } from "../../shared/figures/unit";
 import { addShape, type ShapeRequest } from "../../state/design/operations";
 import { useWhyNot } from "../../state/window/commands";
-import { choosePlane, type PlaneName, useView } from "../../state/window/view";
+import { drawnPlane, type PlaneName, useView } from "../../state/window/view";
 import { useFigure } from "./figure";
 import { needs, Outcome, useOutcome } from "./Outcome";
 import { PlaceFields } from "./Position";
@@ -33,6 +33,25 @@ const PLANES = [
   { value: "yz", label: "YZ" },
 ] as const;
 
+const POINTS = { value: "points", label: "Points" } as const;
+
+const ORIGIN: Vec3 = [0, 0, 0];
+
+/** Which plane a shape lies on: the one that is drawn on until another is chosen here, which leaves that one as it is. */
+function usePlane() {
+  const { plane, ownPlane, planeOffset } = useView();
+  const [chosen, setChosen] = useState<{ plane: PlaneName; own: typeof ownPlane; value: PlaneName | "points" } | null>(
+    null,
+  );
+  const isOf = chosen?.plane === plane && chosen.own === ownPlane;
+  const value = isOf ? chosen.value : ownPlane ? POINTS.value : plane;
+  const drawn = value === POINTS.value && ownPlane ? drawnPlane({ plane, ownPlane, planeOffset }) : null;
+  const vector = ([x, y, z]: Vec3): [number, number, number] => [x, y, z];
+  const own = drawn && { origin_mm: vector(drawn.origin), u: vector(drawn.u), v: vector(drawn.v) };
+  const choose = (to: PlaneName | "points") => setChosen({ plane, own: ownPlane, value: to });
+  return { value, own, through: ownPlane?.through ?? null, choose };
+}
+
 /** How long the edges of a shape get, against what the machine can make, and how many would fit. */
 function Edges({ of, take }: { readonly of: ShapeRequest; readonly take: (sides: number) => void }) {
   const answer = useOutcome("shape", of);
@@ -50,8 +69,9 @@ function Edges({ of, take }: { readonly of: ShapeRequest; readonly take: (sides:
 /** Shapes from a few figures, as straight edges. */
 export function Shapes() {
   const [shape, setShape] = useState<Shape>("circle");
-  const [centre, setCentre] = useState<Vec3>([0, 0, 0]);
-  const plane = useView((view) => view.plane);
+  const [centre, setCentre] = useState(ORIGIN);
+  const [onPoints, setOnPoints] = useState(ORIGIN);
+  const plane = usePlane();
   // The usual machines can make it with as many edges.
   const radius = useFigure(60);
   const edges = useFigure(12);
@@ -62,7 +82,12 @@ export function Shapes() {
   const [left, setLeft] = useState(false);
   const why = useWhyNot("paste");
   const request = (figure: "value" | "now"): ShapeRequest => {
-    const at = { centre_mm: [...centre] as [number, number, number], plane };
+    const [x, y, z] = plane.own ? onPoints : centre;
+    const at = {
+      centre_mm: [x, y, z] as [number, number, number],
+      plane: plane.value === "points" ? ("xy" as const) : plane.value,
+      ...(plane.own && { on: plane.own }),
+    };
     const [radius_mm, sides] = [radius[figure], edges[figure]];
     if (shape === "circle") return { edit: "circle", ...at, radius_mm, edges: sides };
     if (shape === "polygon") return { edit: "polygon", ...at, sides, measure, size_mm: radius_mm, turn_deg: turn };
@@ -70,14 +95,27 @@ export function Shapes() {
     return { edit: "helix", ...at, radius_mm, ...winding };
   };
   const size = shape === "polygon" ? (MEASURES.find(({ value }) => value === measure)?.label ?? "Size") : "Radius";
+  const [a, b, c] = plane.through ?? [];
   const names = { circle: "Edges", polygon: "Sides", helix: "Edges per turn" };
   return (
     <fieldset className="stack" aria-label="Shapes">
       <Segmented<Shape> label="Shape" choices={SHAPES} value={shape} onChoose={setShape} />
-      <PlaceFields at={centre} change={setCentre} label="Centre" />
-      <Field label="Plane">
+      {plane.own ? (
+        <PlaceFields at={onPoints} change={setOnPoints} label="Centre" />
+      ) : (
+        <PlaceFields at={centre} change={setCentre} label="Centre" />
+      )}
+      <Field
+        label="Plane"
+        hint={a !== undefined && `Points: X from vertex ${a} to ${b}, Y towards ${c}, Z off the plane.`}
+      >
         {() => (
-          <Segmented<PlaneName> label="Plane of the shape" choices={PLANES} value={plane} onChoose={choosePlane} />
+          <Segmented<PlaneName | "points">
+            label="Plane of the shape"
+            choices={plane.through ? [...PLANES, POINTS] : PLANES}
+            value={plane.value}
+            onChoose={plane.choose}
+          />
         )}
       </Field>
       {shape === "polygon" && (
