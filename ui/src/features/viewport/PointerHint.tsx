@@ -12,16 +12,20 @@ const CLICKS: Readonly<Record<Tool, string>> = {
   measure: "Measure: click two things, Esc ends",
 };
 
-/** What the pointer does in the view, in a quiet line at its foot. */
+/** How the view is turned, moved and brought nearer, whatever the left button does. */
+const MOVES = ["Orbit: right or middle button", "Pan: Shift and middle button", "Zoom: wheel"];
+
+/** What the pointer does in the view, in a quiet line at its foot; in two, and parted between the clauses, where one is too long. */
 export function PointerHint() {
   const tool = useView((view) => view.tool);
   const played = usePlayback(({ played }) => played !== null);
   const byHand = useByHand(({ played }) => played !== null);
-  const parts = [
-    ...(played || byHand ? [] : [CLICKS[tool]]),
-    "Orbit: right or middle button",
-    "Pan: Shift and middle button",
-    "Zoom: wheel",
-  ];
-  return <p className="pointer-hint">{parts.join("  ·  ")}</p>;
+  return (
+    <p className="pointer-hint">
+      {!played && !byHand && <span className="pointer-hint-tool">{CLICKS[tool]}</span>}
+      {MOVES.map((move) => (
+        <span key={move}>{move}</span>
+      ))}
+    </p>
+  );
 }
