@@ -13,11 +13,13 @@ vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Erro
 
 import { useProblems } from "../asking/problems";
 import { edit, useDesign } from "../design/design";
+import { select, useSelection } from "../design/selection";
 import type { MachineState } from "../machine/operator";
 import { useRun } from "../machine/run";
 import { machineState } from "../testing";
+import { useView } from "../window/view";
 import { mayClose, quit, useClosing } from "./closing";
-import { mayLeave, newDesign, openPath, restore, save, saveAs, useFiles } from "./files";
+import { addWireframe, mayLeave, newDesign, openAs, openPath, restore, save, saveAs, useFiles } from "./files";
 
 /** The Rust side, as far as it is asked here: whether its design is changed, and what it is called. */
 const rust: { changed: boolean; name: string; file: string | null } = {
@@ -158,6 +160,41 @@ describe("a file that is being read", () => {
     expect(useDesign.getState().state?.name).toBe("A");
     expect(useFiles.getState().busy).toBeNull();
     expect(await change()).not.toBeNull();
+  });
+});
+
+describe("what is added to the design that is open", () => {
+  const vertex = (id: number) => ({ id, at_mm: [id, 0, 0], support: false });
+  const add = (change: object) =>
+    platform.ask.mockImplementation(async (ask: string) =>
+      ask.startsWith("put-") ? { change: { ...changed().change, ...change }, notes: [] } : answered(ask),
+    );
+
+  beforeEach(() => {
+    useDesign.setState({ vertices: new Map([[1, { id: 1, at: [0, 0, 0], support: false }]]) });
+    useView.setState({ tool: "trace", chosenStencil: null });
+    select([1]);
+  });
+
+  it("is selected with the tool that moves it, and what was there before is not", async () => {
+    // The first is there already, and is joined to what comes.
+    add({ vertices: [vertex(1), vertex(7), vertex(8)], edges: [{ id: 4, a: 7, b: 8 }] });
+    expect(await addWireframe({ input: { file: "/there/b.obj" } })).toBe(true);
+    const { vertices, edges } = useSelection.getState();
+    expect([[...vertices], [...edges], useView.getState().tool]).toEqual([[7, 8], [4], "select"]);
+  });
+
+  it("is chosen where it is a stencil, and a person who traces goes on to trace", async () => {
+    add({ state: { ...view().state, stencils: [{ id: 3, name: "b.stl", surface: null }] } });
+    expect(await openAs({ input: { file: "/there/b.stl" } }, "stencil")).toBe(true);
+    const { chosenStencil, tool } = useView.getState();
+    expect([chosenStencil, tool, [...useSelection.getState().vertices]]).toEqual([3, "trace", []]);
+  });
+
+  it("leaves the selection as it is where it is refused", async () => {
+    platform.ask.mockRejectedValue(new Error("Line 3 is cut off."));
+    expect(await addWireframe({ input: { file: "/there/b.obj" } })).toBe(false);
+    expect([[...useSelection.getState().vertices], useView.getState().tool]).toEqual([[1], "trace"]);
   });
 });
 

@@ -1,6 +1,6 @@
 import { create } from "zustand";
 import type { DesignInput } from "../../generated/requests";
-import type { DesignOpened, LookResponse, RecentEntry, Started, Unsaved } from "../../generated/responses";
+import type { DesignOpened, LookResponse, RecentEntry, Started, Unsaved, ViewChange } from "../../generated/responses";
 import { type FileKind, platform } from "../../platform";
 import { errorText } from "../../platform/error_text";
 import { tell, told } from "../asking/problems";
@@ -15,10 +15,11 @@ import {
   useDesign,
   whyNoChange,
 } from "../design/design";
+import { select } from "../design/selection";
 import { inTurn, replacingDesign, settled } from "../design/turns";
 import { loadRunFile, openRunFile } from "../program/run_file";
 import { useUi } from "../window/ui";
-import { useView } from "../window/view";
+import { chooseStencil, chooseTool, useView } from "../window/view";
 import { useExports } from "./exports";
 
 /** What a file is opened for: as the design, or as the surface that is traced on. */
@@ -211,9 +212,7 @@ export const isBegun = ({ vertices, state }: Pick<DesignStore, "vertices" | "sta
 /** Adds the wireframe of what was looked into to the design that is open; false where it came to nothing, and the question stays. */
 export async function addWireframe(design: DesignInput): Promise<boolean> {
   const { opening } = useFiles.getState();
-  const put = await reading(opening ? baseName(opening.path) : "", () => putInto("put-wireframe", design));
-  if (put) useView.getState().handle?.frame();
-  return put;
+  return reading(opening ? baseName(opening.path) : "", () => putInto("put-wireframe", design));
 }
 
 /** Opens what was looked into as the person says; false where it came to nothing, and the question stays. */
@@ -222,9 +221,7 @@ export async function openAs(design: DesignInput, use: Use | null): Promise<bool
   const name = opening ? baseName(opening.path) : "";
   if (use === "stencil" && isBegun(useDesign.getState())) {
     // What is there is kept: the surface comes beside it.
-    const put = await reading(name, () => putInto("put-stencil", design));
-    if (put) useView.getState().handle?.frame();
-    return put;
+    return reading(name, () => putInto("put-stencil", design));
   }
   if (!(await mayLeave())) return false;
   const done = await opened(
@@ -240,14 +237,31 @@ export async function openAs(design: DesignInput, use: Use | null): Promise<bool
   return true;
 }
 
+/** Selects what a change has added, to be moved: it seldom lies where it is wanted. The tool stays for a stencil, which may be traced as it lies. */
+function takeInHand(before: DesignStore, { vertices, edges, state }: ViewChange): void {
+  const stencil = state.stencils.find(({ id }) => !before.state?.stencils.some((other) => other.id === id));
+  if (stencil) {
+    chooseStencil(stencil.id);
+    return;
+  }
+  chooseTool("select");
+  select(
+    vertices.filter(({ id }) => !before.vertices.has(id)).map(({ id }) => id),
+    edges.filter(({ id }) => !before.edges.has(id)).map(({ id }) => id),
+  );
+}
+
 /** Changes that are made while the file is read wait for it. */
 function putInto(ask: "put-stencil" | "put-wireframe", design: DesignInput): Promise<boolean> {
   return inTurn(async () => {
     const made = await told(asking(ask, { design }));
     if (!made?.change) return false;
     useFiles.setState({ opening: null });
+    const before = useDesign.getState();
     useDesign.setState({ notes: made.notes });
     await applyChange(made.change);
+    takeInHand(before, made.change);
+    useView.getState().handle?.frame();
     return true;
   });
 }
