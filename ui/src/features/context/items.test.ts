@@ -6,6 +6,7 @@ vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Erro
 
 import type { Played } from "../../scene/interface";
 import type { MenuItem } from "../../shared/layers/Menu";
+import { useDesign } from "../../state/design/design";
 import { useSelection } from "../../state/design/selection";
 import { useByHand } from "../../state/machine/by_hand";
 import { usePlayback } from "../../state/program/program";
@@ -28,6 +29,27 @@ it("offers in the view what can be done with what is selected, else how to selec
   useSelection.setState({ vertices: new Set([1]), edges: new Set() });
   expect(labels(itemsOf("design"))).toContain("Merge");
   expect(why(itemsOf("design"), "Merge")).toBe("Select at least 2 vertices to merge.");
+});
+
+it("offers to measure anywhere, and to rotate and to fillet what is selected", () => {
+  expect(labels(itemsOf("design"))).toContain("Measure");
+  expect(labels(itemsOf("design"))).not.toContain("Rotate…");
+  expect(labels(itemsOf("design"))).not.toContain("Fillet…");
+  useDesign.setState({
+    vertices: new Map([1, 2, 3].map((id) => [id, { id, at: [id, 0, id % 2], support: false }])),
+    edges: new Map([
+      [1, { id: 1, a: 1, b: 2 }],
+      [2, { id: 2, a: 2, b: 3 }],
+    ]),
+  });
+  const found = (vertex: number) => {
+    useSelection.setState({ vertices: new Set([vertex]), edges: new Set() });
+    return ["Measure", "Rotate…", "Fillet…"].map((name) => why(itemsOf("design"), name));
+  };
+  expect(found(2)).toEqual([null, null, null]);
+  // The end of a wire is no corner.
+  expect(found(1)).toEqual([null, null, "Select corners: vertices with two edges."]);
+  useDesign.setState({ vertices: new Map(), edges: new Map() });
 });
 
 it("offers no change of the design while a program is shown", () => {

@@ -17,6 +17,7 @@ function item(label: string, command: CommandId): MenuItem {
 /** What can be done with what is selected. */
 const selected = (): MenuItem[] => [
   item("Move", "move"),
+  item("Rotate…", "rotate"),
   item("Extrude an edge", "extrude"),
   item("Split", "split"),
   item("Connect", "connect"),
@@ -28,6 +29,7 @@ const selected = (): MenuItem[] => [
   item("Scale…", "scale"),
   item("Straighten…", "straighten"),
   item("Round…", "round"),
+  item("Fillet…", "fillet"),
   RULE,
   item("Cut", "cut"),
   item("Copy", "copy"),
@@ -35,6 +37,7 @@ const selected = (): MenuItem[] => [
   item("Duplicate", "duplicate"),
   item("Delete", "delete"),
   RULE,
+  item("Measure", "tool-measure"),
   item("Select connected", "select-connected"),
   item("Frame the selection", "frame"),
 ];
@@ -47,6 +50,7 @@ const beside = (): MenuItem[] => [
   item("Select", "tool-select"),
   item("Trace on the stencil", "tool-trace"),
   item("Draw on a plane", "tool-draw"),
+  item("Measure", "tool-measure"),
   RULE,
   item("Frame all", "frame-all"),
   {
