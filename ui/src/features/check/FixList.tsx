@@ -1,26 +1,29 @@
 import { useRef, useState } from "react";
 import type { Fix } from "../../generated/responses";
 import { Button } from "../../shared/controls/Button";
-import { count, LIMITS_ONLY, money, signed, time } from "../../shared/figures/format";
+import { money, signed, time } from "../../shared/figures/format";
 import { useLengths } from "../../shared/figures/unit";
 import { useInSight } from "../../shared/lists/sight";
 import { useDesign } from "../../state/design/design";
 import { isCollision } from "../../state/design/findings";
 import { applyFix, otherWires, showFix, useFixes } from "../../state/design/fixes";
-import { isFirst } from "./totals";
+import { afterwards, isFirst } from "./totals";
 
 /** What changes, in a line: "+601.4 mm · +$1.20 · +2:10"; without a route, what there is then. */
 function useChange(): (fix: Fix) => string {
   const { length, long } = useLengths();
+  const { limits, check } = useDesign();
+  const errorsOf = (of: typeof check) => of?.diagnostics.filter(({ severity }) => severity === "error").length ?? 0;
   return (fix) => {
-    const { change, after, errors_after } = fix;
+    const { change, after } = fix;
+    const before = errorsOf(isCollision(fix.mends.code) ? check : limits);
     if (isFirst(change)) {
       const parts = [
         after.length_mm !== null && length(after.length_mm),
         after.stock_mm !== null && `stock ${long(after.stock_mm)}`,
         after.time_s !== null && time(after.time_s),
         after.cost !== null && money(after.cost, change.currency),
-        afterwards(change, after, errors_after),
+        afterwards(fix, before),
       ];
       return parts.filter(Boolean).join(" · ");
     }
@@ -31,18 +34,10 @@ function useChange(): (fix: Fix) => string {
         Math.abs(change.cost) >= 0.005 &&
         signed(change.cost, (value) => money(value, change.currency)),
       change.time_s !== null && Math.abs(change.time_s) >= 0.5 && signed(change.time_s, time),
-      afterwards(change, after, errors_after),
+      afterwards(fix, before),
     ];
     return parts.filter(Boolean).join(" · ");
   };
-}
-
-function afterwards(change: Fix["change"], { wires, collisions }: Fix["after"], errors: number): string {
-  // Only a fix of a collision was tried with a check for them.
-  const left = collisions === 0 ? "no collision found" : collisions === null ? null : count(collisions, "collision");
-  if (errors === 0) return `then ${left ?? LIMITS_ONLY}`;
-  const made = wires > 1 ? `${wires} wires` : "a wire";
-  return isFirst(change) ? `gives ${made} with ${count(errors, "error")}` : `then ${count(errors, "error")}`;
 }
 
 /** Changes that would fix it, each tried on a copy before: shown in the view, and made with one click that undo takes back. */

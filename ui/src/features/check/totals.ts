@@ -1,4 +1,5 @@
 import type { Fix, LiveCheck, WireFigures } from "../../generated/responses";
+import { count, LIMITS_ONLY } from "../../shared/figures/format";
 
 type Sums = { readonly [K in "length_mm" | "stock_mm" | "time_s" | "cost" | "bends"]: number | null } & {
   readonly currency: string | null;
@@ -27,3 +28,17 @@ export function totals(check: LiveCheck | null): Sums {
 /** Without a route there are no figures, and what is wrong along it is not known before there is one. */
 export const isFirst = ({ length_mm, stock_mm, time_s, cost }: Fix["change"]): boolean =>
   length_mm === null && stock_mm === null && time_s === null && cost === null;
+
+/** `before`: how many errors there are. */
+export function afterwards(
+  { change, after: { wires, collisions }, errors_after: errors }: Fix,
+  before: number,
+): string {
+  // Only a fix of a collision was tried with a check for them.
+  const left = collisions === 0 ? "no collision found" : collisions === null ? null : count(collisions, "collision");
+  if (errors === 0) return `then ${left ?? LIMITS_ONLY}`;
+  const made = wires > 1 ? `${wires} wires` : "a wire";
+  const found = isFirst(change) ? `gives ${made} with ${count(errors, "error")}` : `then ${count(errors, "error")}`;
+  // Without a route no bend can be checked: what the fix brings to light is not its doing.
+  return errors > before ? `${found}, of which at least ${errors - before} could not be checked before` : found;
+}
