@@ -52,9 +52,13 @@ const RING = [0, 1, 2, 3, 4, 5, 6, 7];
 /** What there is to frame. */
 const outermost: Place[] = [0, HIGH].flatMap((z) => RING.map((eighth) => rim(eighth, z)));
 
-/** Clicks on what is there, once it is shown that it would be taken. */
-async function take(place: { x: number; y: number }, snap: string): Promise<void> {
-  const card = editor.page.locator(".hover-card", { hasText: snap });
+/**
+ * Clicks on what is there, once it is shown that it would be taken. A vertex that has just been placed is drawn a moment later, and until
+ * then the one at the other end of the cup is there in its place.
+ */
+async function take(place: { x: number; y: number }, snap: string, z: number): Promise<void> {
+  const height = `z ${z < 0 ? "\u2212" : ""}${Math.abs(z).toFixed(1)} mm`;
+  const card = editor.page.locator(".hover-card", { hasText: snap }).filter({ hasText: height });
   // A view that was still turning has shown what lay there before.
   await until(async () => {
     await editor.page.mouse.move(place.x - 3, place.y - 2);
@@ -90,34 +94,34 @@ it("traces a holder for a cup of 80 mm on a stencil of it, in at most 50 clicks 
   await editor.page.locator(".viewport canvas").focus();
   const above = await look("top", "7", "Home");
   await editor.keys("t");
-  for (const eighth of RING) await take(above(rim(eighth, HIGH)), "Corner of the stencil");
-  await take(above(corner(0, TOP)), "Vertex");
+  for (const eighth of RING) await take(above(rim(eighth, HIGH)), "Corner of the stencil", TOP);
+  await take(above(corner(0, TOP)), "Vertex", TOP);
   await until(size).toEqual([8, 8]);
   await editor.isCleanNow("cup-ring");
   outermost.push(...RING.map((eighth) => corner(eighth, TOP)));
   const below = await look("top", "Control+7", "Home");
-  for (const eighth of RING) await take(below(rim(-eighth, 0)), "Corner of the stencil");
-  await take(below(corner(0, LOW)), "Vertex");
+  for (const eighth of RING) await take(below(rim(-eighth, 0)), "Corner of the stencil", LOW);
+  await take(below(corner(0, LOW)), "Vertex", LOW);
   await until(size).toEqual([16, 16]);
   outermost.push(...RING.map((eighth) => corner(eighth, LOW)));
 
   // A cross under the cup: a bar, and another through its middle.
-  await take(below(corner(1, LOW)), "Vertex");
-  await take(below(corner(5, LOW)), "Vertex");
+  await take(below(corner(1, LOW)), "Vertex", LOW);
+  await take(below(corner(5, LOW)), "Vertex", LOW);
   await until(size).toEqual([16, 17]);
-  await take(below(corner(3, LOW)), "Vertex");
-  await take(below([0, 0, LOW]), "Middle of an edge");
+  await take(below(corner(3, LOW)), "Vertex", LOW);
+  await take(below([0, 0, LOW]), "Middle of an edge", LOW);
   await until(size).toEqual([17, 19]);
-  await take(below([0, 0, LOW]), "Vertex");
-  await take(below(corner(7, LOW)), "Vertex");
+  await take(below([0, 0, LOW]), "Vertex", LOW);
+  await take(below(corner(7, LOW)), "Vertex", LOW);
   await until(size).toEqual([17, 20]);
 
   // Four struts, two from the front and two from behind.
   for (const keys of [["1", "Home"], ["Control+1"]]) {
     const at = await look("front", ...keys);
     for (const eighth of [5, 7]) {
-      await take(at(corner(eighth, TOP)), "Vertex");
-      await take(at(corner(eighth, LOW)), "Vertex");
+      await take(at(corner(eighth, TOP)), "Vertex", TOP);
+      await take(at(corner(eighth, LOW)), "Vertex", LOW);
     }
   }
   await until(size).toEqual([17, 24]);

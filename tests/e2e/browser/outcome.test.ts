@@ -92,9 +92,10 @@ it("tells when the edges of a shape are too short, and offers the number that fi
   await editor.loopback.ask("edit", { request: { edit: "machine", machine: "wirebend-kit" } });
   await editor.reload("edit");
   const status = async () => (await shapes().getByRole("status").innerText()).replaceAll(/\s+/g, " ").trim();
-  await until(status).toMatch(/^Fine: Each edge 25\.9 mm; the machine needs 25\.8 mm\.$/);
+  // The first edge has to reach the peg: 12 + 20.4 - 3.175 - 1.5 = 27.7 mm of wire, 3·tan 15° of its edge longer, 2.4·π/6 shorter.
+  await until(status).toMatch(/^Fine: Each edge 31\.1 mm; the machine needs 27\.3 mm\.$/);
   await shapes().getByLabel("Radius").fill("30");
-  await until(status).toMatch(/^Error: Each edge 15\.5 mm; the machine needs 25\.8 mm\.$/);
+  await until(status).toMatch(/^Error: Each edge 15\.5 mm; the machine needs 27\.3 mm\.$/);
   await editor.isClean("outcome-shape");
   await shapes().getByRole("button", { name: "Use 6 edges" }).click();
   await until(status).toMatch(/^Fine: Each edge 30\.0 mm/);
