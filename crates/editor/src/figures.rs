@@ -7,7 +7,8 @@ use wirebend_core::wireframe::{
 };
 
 use super::EditorError;
-use super::request::{AxisName, EditRequest, OwnPlane, PlaneName, PolygonMeasure, RestPlace};
+use super::plane::{OwnPlane, PlaneName};
+use super::request::{AxisName, EditRequest, PolygonMeasure, RestPlace};
 
 impl EditRequest {
     /// The edit that it is; none where it is not given in figures. `chord_limits`: see `of_wireframe`.

@@ -16,6 +16,7 @@ mod figures;
 mod fixes;
 mod history;
 mod outcome;
+mod plane;
 mod request;
 mod resolving;
 mod view;
@@ -35,9 +36,10 @@ pub use error::EditorError;
 pub use fixes::{Fix, FixAll, FixChange, FixPreview};
 use history::{Done, History};
 pub use outcome::{EditOutcome, FilletPart};
+pub use plane::{OwnPlane, PlaneName};
 pub use request::{
-    AxisName, ChosenWalk, ConstructionChange, EditRequest, MergePlace, OwnPlane, PastedVertex, Placed,
-    PlaneName, PolygonMeasure, RestPlace,
+    AxisName, ChosenWalk, ConstructionChange, EditRequest, MergePlace, PastedVertex, Placed, PolygonMeasure,
+    RestPlace,
 };
 pub use view::{DesignState, DesignView, EdgeView, PauseView, VertexView, ViewChange};
 

@@ -5,6 +5,8 @@ use serde::{Deserialize, Serialize};
 use wirebend_files::document::{JointFile, Look, PlacementFile, Walk};
 use wirebend_files::read::LengthUnit;
 
+use super::plane::{OwnPlane, PlaneName};
+
 /// What becomes of construction lines. They are named by their places in the list, from 0.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "make", rename_all = "kebab-case", deny_unknown_fields)]
@@ -356,27 +358,6 @@ pub enum RestPlace {
     Stays,
     /// It goes along, as it is.
     Follows,
-}
-
-/// A plane of two axes. The first is the first of its name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum PlaneName {
-    Xy,
-    Xz,
-    Yz,
-}
-
-/// A plane that is none of the axes. What lies on it is given along its first axis, along its second, and off it, from where it was put.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct OwnPlane {
-    /// Where it was put.
-    pub origin_mm: [f64; 3],
-    /// Its first axis, of any length.
-    pub u: [f64; 3],
-    /// Its second: of what it has across the first, the direction counts.
-    pub v: [f64; 3],
 }
 
 /// What the size of a regular polygon is.

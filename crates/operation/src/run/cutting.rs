@@ -58,8 +58,7 @@ impl Task<'_> {
         for &index in wires {
             let wire = self.wire(index)?;
             self.pieces.get().require_enough(wire)?;
-            let last = wire.compensated.iter().rposition(|step| step.bend_deg != 0.0);
-            let straight = wire.compensated.iter().skip(last.map_or(0, |at| at + 1));
+            let straight = wire.compensated.iter().rev().take_while(|step| step.bend_deg == 0.0);
             let straight_mm = straight.map(|step| step.feed_mm).sum::<f64>();
             if straight_mm < -cutter_mm {
                 return Err(LiveProblem::EndTooShort { wire: index, straight_mm, back_mm: -cutter_mm }.into());
