@@ -14,8 +14,17 @@ const MAX_LINE: usize = 128;
 #[derive(Debug, Default)]
 pub(super) struct Console {
     heard: Vec<u8>,
-    /// A person has asked for the status: the question and the answer are shown once.
-    shows_status: [bool; 2],
+    status: ShownStatus,
+}
+
+/// What of the next question for the status and its answer is shown.
+#[derive(Debug, Default, Clone, Copy, PartialEq, Eq)]
+enum ShownStatus {
+    #[default]
+    Nothing,
+    /// A person asked, and the question is not sent yet: an answer that arrives before it belongs to an earlier one.
+    Question,
+    Answer,
 }
 
 impl Console {
@@ -28,22 +37,26 @@ impl Console {
                 continue;
             }
             let line = std::mem::take(&mut self.heard);
-            let shown = &mut self.shows_status[1];
-            tell(Direction::FromMachine, &line, Reply::Status as u8, shown, events);
+            let shown = self.status == ShownStatus::Answer;
+            if tell(Direction::FromMachine, &line, Reply::Status as u8, shown, events) {
+                self.status = ShownStatus::Nothing;
+            }
         }
     }
 
     /// The next question for the status and its answer are a person's.
     pub const fn show_status(&mut self, shown: bool) {
-        self.shows_status = [shown; 2];
+        self.status = if shown { ShownStatus::Question } else { ShownStatus::Nothing };
     }
 
     /// What is sent: whole frames, and STOP between them.
     pub fn say(&mut self, bytes: &[u8], events: &mut VecDeque<Event>) {
         let frames: Vec<u8> = bytes.iter().copied().filter(|&byte| byte != STOP).collect();
         for line in frames.split(|&byte| byte == b'\n') {
-            let shown = &mut self.shows_status[0];
-            tell(Direction::ToMachine, line, Command::Query as u8, shown, events);
+            let shown = self.status == ShownStatus::Question;
+            if tell(Direction::ToMachine, line, Command::Query as u8, shown, events) {
+                self.status = ShownStatus::Answer;
+            }
         }
         // Repeated until it is answered.
         if bytes.contains(&STOP) {
@@ -52,15 +65,18 @@ impl Console {
     }
 }
 
-fn tell(direction: Direction, line: &[u8], left_out: u8, shown: &mut bool, events: &mut VecDeque<Event>) {
+/// Whether the line is one of the status that is shown.
+fn tell(direction: Direction, line: &[u8], status: u8, shown: bool, events: &mut VecDeque<Event>) -> bool {
     let line = line.trim_ascii();
     let payload = match line.iter().rposition(|&byte| byte == b'*') {
         Some(seal) if line.len() - seal == 5 => &line[..seal],
         _ => line,
     };
-    if payload.first().is_some_and(|&letter| letter != left_out || std::mem::take(shown)) {
+    let Some(&letter) = payload.first() else { return false };
+    if letter != status || shown {
         events.push_back(Event::Console { direction, text: payload.escape_ascii().to_string() });
     }
+    letter == status && shown
 }
 
 #[cfg(test)]
@@ -94,6 +110,21 @@ mod tests {
         Console::default().say(&sent.concat(), &mut events);
         let said: Vec<String> = told(events).into_iter().map(|(_, text)| text).collect();
         assert_eq!(said, ["S7", "M1,8,0,-3", "STOP"]);
+    }
+
+    /// The link asks for itself several times a second: the answer to such a question may arrive after a person has asked.
+    #[test]
+    fn an_answer_to_an_earlier_question_is_not_shown_before_the_question_of_a_person() {
+        let (mut console, mut events) = (Console::default(), VecDeque::new());
+        let (asks, answers) = (sealed("Q", 7), sealed("t0,0,0,0,0,3,3,0,0,1", 7));
+        console.say(&asks, &mut events);
+        console.show_status(true);
+        for _ in 0..2 {
+            console.hear(&answers, &mut events);
+            console.say(&asks, &mut events);
+        }
+        let told: Vec<Direction> = told(events).into_iter().map(|(direction, _)| direction).collect();
+        assert_eq!(told, [Direction::ToMachine, Direction::FromMachine]);
     }
 
     /// A board that never ends its line takes no more memory for it.
