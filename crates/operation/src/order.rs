@@ -48,11 +48,12 @@ pub enum Order {
         #[serde(default)]
         record: bool,
     },
-    /// Plans the open design, checks one of its wires and asks a person; after a yes it can be started.
+    /// Plans the open design, checks its wires and asks a person; after a yes the first one can be started.
     Arm {
-        /// Index of the wire, from 0.
-        wire: usize,
-        /// How many pieces of it are bent in a row; before each a person is asked.
+        /// Index of the one wire to bend, from 0; absent, all of them, one after the other: before each a person is asked.
+        #[serde(default)]
+        wire: Option<usize>,
+        /// How many pieces are bent in a row; before each a person is asked.
         #[serde(default)]
         repeat: Repeat,
         /// Whether to bend it although the machine's settings are not those of its profile.
@@ -64,7 +65,7 @@ pub enum Order {
     },
     /// What was armed is not started.
     Disarm,
-    /// Bends the armed wire.
+    /// Bends what is armed.
     Start,
     /// The machine holds in the middle of a wire.
     Pause,

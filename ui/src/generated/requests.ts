@@ -565,9 +565,9 @@ export type Order =
       order: "arm";
       repeat?: Repeat;
       /**
-       * Index of the wire, from 0.
+       * Index of the one wire to bend, from 0; absent, all of them, one after the other: before each a person is asked.
        */
-      wire: number;
+      wire?: number | null;
     }
   | {
       order: "disarm";

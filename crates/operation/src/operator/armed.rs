@@ -6,9 +6,10 @@ use wirebend_driver_host::api::DoneBy;
 use super::state::WireState;
 use crate::run::Task;
 
-/// A wire to which a person has said yes.
+/// Wires to the first of which a person has said yes.
 pub(super) struct ArmedWire<'a> {
     pub task: Task<'a>,
+    /// The first.
     pub wire: usize,
     pub done_by: DoneBy,
     pub permit: Permit,

@@ -41,7 +41,7 @@ impl OperatorThread<'_> {
 
     /// The moves of a wire with no wire loaded.
     pub fn dry_run(&mut self, job: Input, wire: usize, accept_settings: bool) -> Result<(), OperationError> {
-        let task = self.task(job, wire, RunHow::Begin, Repeat::default(), accept_settings)?;
+        let task = self.task(job, Some(wire), RunHow::Begin, Repeat::default(), accept_settings)?;
         let dry = DryRun::of(&task, wire)?;
         let moves = dry.moves()?;
         self.jog_permit = None;

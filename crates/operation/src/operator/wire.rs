@@ -17,23 +17,27 @@ use crate::{Decided, LiveProblem, OperationError, Repeat, RunHow, RunRequest, Ru
 use wirebend_planning::design::Input;
 
 impl<'a> OperatorThread<'a> {
-    /// Checks a wire and asks; nothing moves.
+    /// Checks a wire, or all of them one after the other, and asks; nothing moves.
     pub fn arm(
         &mut self,
         job: Input,
-        wire: usize,
+        wire: Option<usize>,
         repeat: Repeat,
         accept_settings: bool,
     ) -> Result<(), OperationError> {
         self.armed = None;
         let task = self.task(job, wire, RunHow::Begin, repeat, accept_settings)?;
-        task.require_clear(wire).inspect_err(|_| self.look_for_unfinished(&task, wire))?;
+        let wanted = task.wanted();
+        for &wire in &wanted {
+            task.require_clear(wire).inspect_err(|_| self.look_for_unfinished(&task, wire))?;
+        }
         let homes = self.homes_first();
         let connection = self.connected(OrderName::Arm)?;
         connection.require_settings(task.setup.machine_id(), accept_settings)?;
-        task.require_within(connection, wire, 1)?;
-        task.require_cutter(connection, &[wire])?;
+        wanted.iter().try_for_each(|&wire| task.require_within(connection, wire, 1))?;
+        task.require_cutter(connection, &wanted)?;
         self.settle_head(OrderName::Arm, homes)?;
+        let wire = *wanted.first().ok_or(LiveProblem::NoWire { wire: 0, count: 0 })?;
         let connection = self.connected(OrderName::Arm)?;
         let lines = about(&task, connection, wire, Some(task.wire_lines(wire)?), homes)?;
         let question = "Is the wire in, and may the machine move once it is started?";
@@ -51,8 +55,10 @@ impl<'a> OperatorThread<'a> {
     pub fn start(&mut self) -> Result<(), OperationError> {
         let phase = self.shared.state().phase;
         let not_now = || OperatorError::NotNow { order: OrderName::Start, phase };
-        let ArmedWire { task, wire, mut permit, done_by } = self.armed.take().ok_or_else(not_now)?;
-        loop {
+        let ArmedWire { task, mut permit, done_by, .. } = self.armed.take().ok_or_else(not_now)?;
+        let wanted = task.wanted();
+        let mut sequence = task.sequence(&wanted).peekable();
+        while let Some((wire, rest)) = sequence.next() {
             let homes = self.homes_first();
             // Another program may have begun it meanwhile.
             task.require_clear(wire)?;
@@ -77,30 +83,30 @@ impl<'a> OperatorThread<'a> {
             self.connection = connection;
             let whole = response.wires.last().is_some_and(|made| made.outcome.is_whole());
             if whole {
-                task.wire_made(wire, true)?;
+                task.wire_made(wire, rest.is_empty())?;
                 response.pieces = task.pieces.get().report();
             }
             let after = match (row, &mut self.connection) {
                 (Some(row), Some(connection)) if whole => task.cut_off(connection, row, &mut response),
                 _ => AfterCut::Asks,
             };
+            let ends = !whole || matches!(after, AfterCut::Ends);
+            response.left = rest.to_vec();
             self.tell_run(&task, wire, response);
             made?;
-            if !whole || task.pieces.get().are_done() {
-                return Ok(());
-            }
+            let Some(&(next, _)) = sequence.peek().filter(|_| !ends) else { return Ok(()) };
             permit = match after {
-                AfterCut::Ends => return Ok(()),
-                AfterCut::GoesOn(row) if task.goes_on(wire) => row,
-                AfterCut::GoesOn(_) | AfterCut::Asks => self.ask_for_next(&task, wire, done_by)?,
+                AfterCut::GoesOn(row) if task.goes_on(next) => row,
+                _ => self.ask_for_next(&task, next, done_by)?,
             };
-            task.wire_confirmed(wire)?;
-            let told = WireState::of(&task, wire, task.request.job.stem(), 0, done_by);
+            task.wire_confirmed(next)?;
+            let told = WireState::of(&task, next, task.request.job.stem(), 0, done_by);
             self.shared.change(|state| state.wire = Some(told));
         }
+        Ok(())
     }
 
-    /// Asks for the next of several pieces. Nothing moves before a person has cut off the one before.
+    /// Asks for the next of several wires. Nothing moves before a person has cut off the one before.
     fn ask_for_next(&mut self, task: &Task, wire: usize, done_by: DoneBy) -> Result<Permit, OperationError> {
         let next = WireState::of(task, wire, task.request.job.stem(), 0, done_by);
         self.shared.change(|state| state.wire = Some(next));
@@ -121,7 +127,8 @@ impl<'a> OperatorThread<'a> {
         accept_settings: bool,
     ) -> Result<(), OperationError> {
         self.armed = None;
-        let task = self.task(job, wire, RunHow::Resume { decided }, Repeat::default(), accept_settings)?;
+        let task =
+            self.task(job, Some(wire), RunHow::Resume { decided }, Repeat::default(), accept_settings)?;
         let mut response = task.response();
         let Some(interrupted) = task.interrupted(&mut response)? else {
             self.tell_run(&task, wire, response);
@@ -181,17 +188,17 @@ impl<'a> OperatorThread<'a> {
     }
 
     pub fn abandon(&mut self, job: Input, wire: usize) -> Result<(), OperationError> {
-        let task = self.task(job, wire, RunHow::Abandon, Repeat::default(), false)?;
+        let task = self.task(job, Some(wire), RunHow::Abandon, Repeat::default(), false)?;
         let response = task.abandon()?;
         self.tell_run(&task, wire, response);
         Ok(())
     }
 
-    /// A job for this machine, as this connection can run it.
+    /// A job for this machine, as this connection can run it. `wire`: absent, all of them.
     pub fn task(
         &self,
         job: Input,
-        wire: usize,
+        wire: Option<usize>,
         how: RunHow,
         repeat: Repeat,
         accept_settings: bool,
@@ -204,7 +211,7 @@ impl<'a> OperatorThread<'a> {
             // What it cannot make was refused, or accepted, with the order.
             despite_errors: true,
             port,
-            wire: Some(wire),
+            wire,
             repeat,
             how,
             simulated_as: self.simulated_as.clone(),

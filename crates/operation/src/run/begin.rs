@@ -28,50 +28,43 @@ impl Task<'_> {
         response.port = Some(connection.port.clone());
         response.identity = Some(connection.session.identity().to_owned());
         let mut row = None;
-        while !self.pieces.get().are_done() {
-            for (place, &wire) in wanted.iter().enumerate() {
-                let first = place == 0 && self.pieces.get().report().made == 0;
-                let permit = match self.permit(&mut connection, wire, first, row.take()) {
-                    Ok(permit) => permit,
-                    // Wires that are done stay done: the answer lists the rest.
-                    Err(OperationError::Live(problem)) if !first => {
-                        response.left_because = Some(match problem {
-                            LiveProblem::NotConfirmed | LiveProblem::ZeroNotConfirmed => {
-                                LeftBecause::NobodyAsked
-                            }
-                            _ => LeftBecause::Declined,
-                        });
-                        response.left = wanted[place..].to_vec();
-                        response.notes.append(&mut connection.observer.warnings);
-                        return Ok(response);
+        for (n, (wire, rest)) in self.sequence(&wanted).enumerate() {
+            let first = n == 0;
+            let permit = match self.permit(&mut connection, wire, first, row.take()) {
+                Ok(permit) => permit,
+                // Wires that are done stay done: the answer lists the rest.
+                Err(OperationError::Live(problem)) if !first => {
+                    response.left_because = Some(match problem {
+                        LiveProblem::NotConfirmed | LiveProblem::ZeroNotConfirmed => LeftBecause::NobodyAsked,
+                        _ => LeftBecause::Declined,
+                    });
+                    response.left = std::iter::once(wire).chain(rest.iter().copied()).collect();
+                    break;
+                }
+                Err(error) => return Err(error),
+            };
+            let homes = connection.can_home();
+            let WirePermit { wire: permit, row: of_row } = permit;
+            let (back, made) = self.make(connection, wire, homes, permit, &mut response);
+            made?;
+            // It is given back where the wire was finished or interrupted.
+            let Some(back) = back else { return Ok(response) };
+            connection = back;
+            if !response.wires.last().is_some_and(|made| made.outcome.is_whole()) {
+                response.left = rest.to_vec();
+                break;
+            }
+            self.wire_made(wire, rest.is_empty())?;
+            response.pieces = self.pieces.get().report();
+            if let Some(of_row) = of_row {
+                row = match self.cut_off(&mut connection, of_row, &mut response) {
+                    AfterCut::GoesOn(row) => Some(row),
+                    AfterCut::Asks => None,
+                    AfterCut::Ends => {
+                        response.left = rest.to_vec();
+                        break;
                     }
-                    Err(error) => return Err(error),
                 };
-                let homes = connection.can_home();
-                let WirePermit { wire: permit, row: of_row } = permit;
-                let (back, made) = self.make(connection, wire, homes, permit, &mut response);
-                made?;
-                // It is given back where the wire was finished or interrupted.
-                let Some(back) = back else { return Ok(response) };
-                connection = back;
-                if !response.wires.last().is_some_and(|made| made.outcome.is_whole()) {
-                    response.left = wanted[place + 1..].to_vec();
-                    response.notes.append(&mut connection.observer.warnings);
-                    return Ok(response);
-                }
-                self.wire_made(wire, place + 1 == wanted.len())?;
-                response.pieces = self.pieces.get().report();
-                if let Some(of_row) = of_row {
-                    row = match self.cut_off(&mut connection, of_row, &mut response) {
-                        AfterCut::GoesOn(row) => Some(row),
-                        AfterCut::Asks => None,
-                        AfterCut::Ends => {
-                            response.left = wanted[place + 1..].to_vec();
-                            response.notes.append(&mut connection.observer.warnings);
-                            return Ok(response);
-                        }
-                    };
-                }
             }
         }
         response.notes.append(&mut connection.observer.warnings);

@@ -25,7 +25,7 @@ pub struct RunResponse {
     pub identity: Option<String>,
     /// The wires, in the order in which they were run.
     pub wires: Vec<WireRun>,
-    /// Wires that were asked for and not begun.
+    /// Wires of the piece that were asked for and are not begun: of several that a machine bends one after the other, those that follow.
     pub left: Vec<usize>,
     /// Why not; null where nothing is left, or a wire before them was not finished.
     pub left_because: Option<LeftBecause>,

@@ -79,6 +79,13 @@ impl<'a> Task<'a> {
         self.request.wire.map_or_else(|| (0..self.job.contents().wires.len()).collect(), |wire| vec![wire])
     }
 
+    /// The wires in the order in which they are bent, piece by piece: each with those of its piece that follow it.
+    pub fn sequence<'w>(&self, wanted: &'w [usize]) -> impl Iterator<Item = (usize, &'w [usize])> + use<'w> {
+        let piece =
+            move |_| wanted.iter().enumerate().map(move |(place, &wire)| (wire, &wanted[place + 1..]));
+        (0..self.request.repeat.pieces).flat_map(piece)
+    }
+
     pub fn wire(&self, index: usize) -> Result<&JobWire, OperationError> {
         let count = self.job.contents().wires.len();
         let wire = self.job.contents().wires.get(index);

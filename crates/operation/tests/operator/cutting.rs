@@ -30,7 +30,7 @@ fn connected(shop: &Shop) -> Seat {
 }
 
 fn arm(shop: &Shop, seat: &Seat, repeat: Repeat) {
-    let order = Order::Arm { wire: 0, repeat, accept_settings: false, despite_errors: false };
+    let order = Order::Arm { wire: Some(0), repeat, accept_settings: false, despite_errors: false };
     seat.operator.order_wire(order, shop.cube("odd")).unwrap();
 }
 
@@ -98,7 +98,7 @@ fn a_stop_while_the_wire_is_cut_ends_the_row() {
     let seat = shop.connect("cuts", Some(&bender.port));
     seat.until_phase(Phase::Connected);
     let repeat = Repeat { pieces: 3, stock_mm: Some(5000.0), cut: true };
-    let order = Order::Arm { wire: 0, repeat, accept_settings: false, despite_errors: false };
+    let order = Order::Arm { wire: Some(0), repeat, accept_settings: false, despite_errors: false };
     seat.operator.order_wire(order, shop.job("u-sample.obj", "cuts")).unwrap();
     seat.says(Answer::Yes);
     seat.until_phase(Phase::Armed);

@@ -24,6 +24,7 @@ mod faults;
 mod grbl_model;
 mod hand;
 mod pauses;
+mod sequence;
 mod shop;
 mod stops;
 #[cfg(target_os = "linux")]

@@ -184,7 +184,7 @@ impl Shop {
 
 /// The order to arm a wire.
 pub fn arm(wire: usize, accept_settings: bool) -> Order {
-    Order::Arm { wire, repeat: Repeat::default(), accept_settings, despite_errors: false }
+    Order::Arm { wire: Some(wire), repeat: Repeat::default(), accept_settings, despite_errors: false }
 }
 
 /// The order to resume a wire; which job is meant is said with it.

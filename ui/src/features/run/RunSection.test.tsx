@@ -9,6 +9,7 @@ import type { LiveCheck, PortEntry } from "../../generated/responses";
 import { Dialog, DialogHead } from "../../shared/layers/Dialog";
 import { place } from "../../shared/testing";
 import { useDesign } from "../../state/design/design";
+import { setWire, useRow } from "../../state/machine/row";
 import { useRun } from "../../state/machine/run";
 import { designState, machineState } from "../../state/testing";
 import { useUi } from "../../state/window/ui";
@@ -154,4 +155,34 @@ it("has the machine cut the pieces off where it has a cutter, unless a person do
   act(() => box()?.querySelector("input")?.click());
   expect(arm()).toMatchObject({ cut: false });
   useDesign.setState({ edges: new Map(), limits: null, check: null });
+});
+
+it("bends all wires of a design, one after the other, unless a person chooses one", () => {
+  const wires = [
+    { time_s: 60, length_mm: 200, stock_mm: 600 },
+    { time_s: 60, length_mm: 300, stock_mm: 700 },
+  ];
+  const limits = { feasible: true, diagnostics: [], wires } as unknown as LiveCheck;
+  useDesign.setState({ edges: new Map([[0, { id: 0, a: 0, b: 1 }]]), limits, check: limits });
+  useRow.setState(useRow.getInitialState(), true);
+  useRun.setState({ state: machineState("ready", "arm", "dry-run", "disconnect") });
+  at.show(<RunSection />);
+  const button = (text: string) =>
+    [...at.host.querySelectorAll("button")].find(({ textContent }) => textContent === text);
+  const armed = () => {
+    platform.ask.mockClear();
+    act(() => button("Arm…")?.click());
+    return platform.ask.mock.calls.find(([name]) => name === "order")?.[1].request;
+  };
+  expect(at.host.textContent).toContain("load up to 700.0 mm of wire");
+  expect(armed()).toMatchObject({ order: "arm", wire: null, repeat: { pieces: 1 } });
+  expect(button("Dry run…")?.getAttribute("aria-disabled") ?? button("Dry run…")?.disabled).toBeTruthy();
+  act(() => useRow.setState({ rest: [1], pieces: 4 }));
+  expect(at.host.textContent).toContain("Wire 2 of the piece remains.");
+  expect(armed(), "the rest of a piece is bent once").toMatchObject({ wire: 1, repeat: { pieces: 1 } });
+  act(() => setWire(0));
+  expect(at.host.textContent).toContain("load 600.0 mm of wire");
+  expect(armed()).toMatchObject({ wire: 0, repeat: { pieces: 4 } });
+  useDesign.setState({ edges: new Map(), limits: null, check: null });
+  useRow.setState(useRow.getInitialState(), true);
 });

@@ -1,78 +1,57 @@
-import { useState } from "react";
 import { Button } from "../../shared/controls/Button";
 import { Bar, Checkbox, Select } from "../../shared/controls/inputs";
 import { useLengths } from "../../shared/figures/unit";
-import { useDesign } from "../../state/design/design";
 import { isInWire, type MachineState } from "../../state/machine/operator";
-import { setPieces, setStock, useRow } from "../../state/machine/row";
+import { setCut, setPieces, setStock, setWire, useRow } from "../../state/machine/row";
 import { order } from "../../state/machine/run";
 import { useOtherWire } from "../../state/program/program";
 import { useRunFile } from "../../state/program/run_file";
 import { Anyway } from "../check/Anyway";
 import { Part } from "../panel/Section";
-import { buttons } from "./buttons";
+import { useArming } from "./arming";
 import { Differing } from "./Differing";
 import { Pieces } from "./Pieces";
-import { leftPhrase, progressPhrase } from "./phrases";
-import { useProspect } from "./prospect";
+import { leftPhrase, loadPhrase, progressPhrase, restPhrase } from "./phrases";
 import { Ended } from "./records/Ended";
 import { Speed } from "./Speed";
 import { UnfinishedCard } from "./UnfinishedCard";
 
-/** Arming, starting, pausing a wire of the design. */
+const ALL = "all";
+
+/** Arming, starting, pausing the wires of the design. */
 export function Wire({ state }: { readonly state: MachineState }) {
-  const check = useDesign((design) => design.check);
   const { length, long } = useLengths();
-  const [chosen, setChosen] = useState(0);
-  const [accept, setAccept] = useState(false);
-  const version = useDesign((design) => design.version);
-  const [wanted, setWanted] = useState<{ readonly version: number; readonly file: unknown } | null>(null);
-  const { pieces, stockMm, row } = useRow();
-  const [cut, setCut] = useState(true);
+  const { pieces, stockMm, cut, rest, row } = useRow();
+  const arming = useArming(state);
+  const { all, wires, wire, refused, anyway, setAnyway, accept } = arming;
   const otherWire = useOtherWire();
-  const prospect = useProspect();
-  const all = buttons(state, prospect);
   const file = useRunFile((run) => run.file);
-  // What a person wants all the same is this design, not what it becomes.
-  const anyway = wanted !== null && wanted.version === version && wanted.file === file;
-  const setAnyway = (on: boolean) => setWanted(on ? { version, file } : null);
-  const wires = file ? file.wires : (check?.wires ?? []);
-  const wire = Math.min(chosen, Math.max(wires.length - 1, 0));
-  const needsAccept =
-    state.settings.some(({ matters }) => matters) && !accept
-      ? "The machine is set otherwise than its profile says: see below."
-      : null;
-  // What the machine cannot make is armed where a person wants it all the same.
-  const refused = prospect.program && !prospect.feasible && (file ? file.kind === "program" : wires.length > 0);
-  const despite = refused && all.arm === all.noWire && anyway;
-  const whyNot = (despite ? null : all.arm) ?? needsAccept;
   const under = isInWire(state.phase);
   const busy = under ? "A wire is being bent." : null;
-  const stock = wires[wire]?.stock_mm;
   return (
     <Part
       // Both are in sight, the file here and the design behind it: this says which of them is bent.
       title={file ? `Wire of ${file.name}` : "Wire of the design"}
-      aside={
-        typeof stock === "number" && !under ? (
-          <span className="muted small">load {long(stock)} of wire</span>
-        ) : undefined
-      }
+      aside={under ? undefined : <span className="muted small">{loadPhrase(wires, wire, long)}</span>}
     >
       {wires.length > 1 && (
         <Select
           aria-label="Wire to bend"
-          value={String(wire)}
-          onChoose={(index) => setChosen(Number(index))}
-          choices={wires.map((each, index) => ({
-            value: String(index),
-            label: `Wire ${index + 1}${each.length_mm === null ? "" : ` · ${length(each.length_mm)}`}`,
-          }))}
+          disabled={under}
+          value={wire === null ? ALL : String(wire)}
+          onChoose={(index) => setWire(index === ALL ? null : Number(index))}
+          choices={[
+            { value: ALL, label: `All ${wires.length} wires, one after the other` },
+            ...wires.map((each, index) => ({
+              value: String(index),
+              label: `Wire ${index + 1}${each.length_mm === null ? "" : ` · ${length(each.length_mm)}`}`,
+            })),
+          ]}
         />
       )}
       {state.unfinished && !under && <UnfinishedCard unfinished={state.unfinished} all={all} accept={accept} />}
       {state.settings.length > 0 && (
-        <Differing settings={state.settings} why={all.writeSettings} accept={accept} onAccept={setAccept} />
+        <Differing settings={state.settings} why={all.writeSettings} accept={accept} onAccept={arming.setAccept} />
       )}
       {refused &&
         (file ? (
@@ -100,16 +79,8 @@ export function Wire({ state }: { readonly state: MachineState }) {
           <Button
             className="grow"
             kind={all.next === "arm" ? "primary" : "plain"}
-            why={whyNot}
-            onClick={() =>
-              void order({
-                order: "arm",
-                wire,
-                accept_settings: accept,
-                despite_errors: despite,
-                repeat: { pieces, stock_mm: stockMm, cut: cut && state.cutter_mm !== null },
-              })
-            }
+            why={arming.why}
+            onClick={arming.arm}
           >
             Arm…
           </Button>
@@ -136,6 +107,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
           </Button>
         )}
       </div>
+      {rest.length > 0 && !under && <p className="muted small">{restPhrase(rest, state.unfinished !== null)}</p>}
       {row && !under && <p className="muted small">{leftPhrase(row, state.unfinished !== null)}</p>}
       {state.wire && under && (
         <div className="stack">
@@ -150,9 +122,9 @@ export function Wire({ state }: { readonly state: MachineState }) {
       )}
       {!under && (
         <Button
-          why={(despite && all.dryRun === all.noWire ? null : all.dryRun) ?? needsAccept}
+          why={arming.whyNotDry}
           title="Every move of the wire at a quarter of its speed, without wire and with the peg in"
-          onClick={() => void order({ order: "dry-run", wire, accept_settings: accept, despite_errors: despite })}
+          onClick={arming.dryRun}
         >
           Dry run…
         </Button>

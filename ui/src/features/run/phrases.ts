@@ -31,6 +31,28 @@ export function progressPhrase({ made, done_by, of, elapsed_s, remaining_s, piec
   return `${ofPiece(piece)}${made} of ${of} steps ${done_by === "machine" ? "done" : "by the clock"} · ${time(elapsed_s)}, ${time(remaining_s)} left`;
 }
 
+/** "load 1 240 mm of wire"; of several wires the longest counts, since a person is asked before each. */
+export function loadPhrase(
+  wires: readonly { readonly stock_mm?: number | null }[],
+  wire: number | null,
+  long: (mm: number) => string,
+): string {
+  const stocks = (wire === null ? wires : wires.slice(wire, wire + 1)).map(({ stock_mm }) => stock_mm ?? null);
+  if (stocks.length === 0 || stocks.includes(null)) return "";
+  const most = Math.max(...stocks.filter((mm) => mm !== null));
+  return `load ${wire === null ? "up to " : ""}${long(most)} of wire`;
+}
+
+/** "Wires 2 and 3 of the piece remain: wire 2 is armed next." */
+export function restPhrase(rest: readonly number[], interrupted: boolean): string {
+  const names = rest.map((wire) => wire + 1);
+  const [first] = names;
+  const several = names.length > 1;
+  const which = several ? `Wires ${names.slice(0, -1).join(", ")} and ${names.at(-1)}` : `Wire ${first}`;
+  const next = interrupted ? "the interrupted one comes first" : `wire ${first} is armed next`;
+  return `${which} of the piece ${several ? "remain" : "remains"}${several || interrupted ? `: ${next}` : ""}.`;
+}
+
 /** "2 of 5 pieces are finished: 3 remain, with the one that was interrupted." */
 export function leftPhrase({ of, left }: Row, interrupted: boolean): string {
   const made = of - left;

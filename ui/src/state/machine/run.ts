@@ -20,7 +20,7 @@ import {
   type Question,
   type WireRun,
 } from "./operator";
-import { forgetRow, hearRow } from "./row";
+import { forgetRow, hearRow, setAccepted } from "./row";
 
 interface RunStore {
   /** How the machine stands; null as long as none was connected. */
@@ -251,6 +251,7 @@ async function ordered(asked: Promise<MachineNow>): Promise<boolean> {
 /** `port` null: the simulated machine. `simulatedAs`: what that one has instead of what its profile says. */
 export function connect(port: string | null, simulatedAs: SimulatedAs = {}): Promise<boolean> {
   useRun.setState({ ended: null, recorded: [] });
+  setAccepted(null);
   const before = [...lasting];
   return ordered(asking("connect", { port, simulated_as: { ...simulatedAs } })).then((connected) => {
     // What was wrong with the connection before is over once there is another.
