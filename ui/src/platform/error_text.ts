@@ -142,7 +142,8 @@ const REMEDIES: { readonly [K in Kind]: (remedy: Extract<ErrorRemedy, { remedy: 
     again
       ? "If that was an update of yours, accept it again under Machine, Drivers."
       : "If you trust its author, accept it under Machine, Drivers.",
-  "restrict-access": ({ path }) => `Put it where only you may write, or keep other users from writing to ${path}.`,
+  "restrict-access": () =>
+    "Keep other users from writing to the driver and to the folder that it is in, or put it elsewhere.",
   "install-font": () => "Write an SVG, or install a font, such as DejaVu.",
   "bend-test-piece": () => "Bend a test piece first, and enter its springback in the material\u2019s profile.",
   "list-drivers": () => "See Machine, Drivers.",

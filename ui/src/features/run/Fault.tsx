@@ -3,13 +3,14 @@ import { Button } from "../../shared/controls/Button";
 import { Line } from "../../shared/lists/Line";
 import type { MachineState } from "../../state/machine/operator";
 import { actsOf } from "./acts";
-import type { RunButtons } from "./buttons";
+import { useArming } from "./arming";
 
 /** What went wrong with the machine, and what can be done: a button each, with what follows from it. */
-export function Fault({ state, all }: { readonly state: MachineState; readonly all: RunButtons }) {
+export function Fault({ state }: { readonly state: MachineState }) {
   const { problem, phase } = state;
+  const arming = useArming(state);
   if (!problem) return null;
-  const { acts, others } = actsOf(problem.remedies ?? [], state, all);
+  const { acts, others } = actsOf(problem.remedies ?? [], state, arming.all, arming);
   return (
     <div role="alert" className="stack">
       <ul>

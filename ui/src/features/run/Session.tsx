@@ -35,7 +35,7 @@ export function Session({ state }: { readonly state: MachineState }) {
         {homing && <Bar label="Homing" done={0} of={0} />}
         {simulated && <span className="muted small">{simulated}</span>}
       </div>
-      <Fault state={state} all={all} />
+      <Fault state={state} />
       {other && (
         <ul>
           <Line

@@ -10,6 +10,7 @@ vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Erro
 
 import type { ErrorRemedy } from "../../generated/responses";
 import type { MachineState, Order, Unfinished } from "../../state/machine/operator";
+import { useRow } from "../../state/machine/row";
 import { machineState } from "../../state/testing";
 import { actsOf } from "./acts";
 import { buttons } from "./buttons";
@@ -22,7 +23,8 @@ const RESUME: ErrorRemedy = {
 };
 const PROSPECT = { program: true, feasible: true, file: null };
 const state = machineState("stopped", "home", "resume-run");
-const acts = (remedies: readonly ErrorRemedy[], of = state) => actsOf(remedies, of, buttons(of, PROSPECT));
+const toArm = { why: null, arm: vi.fn() };
+const acts = (remedies: readonly ErrorRemedy[], of = state) => actsOf(remedies, of, buttons(of, PROSPECT), toArm);
 const labels = (remedies: readonly ErrorRemedy[], of = state) => acts(remedies, of).acts.map(({ label }) => label);
 
 it("offers what the window can do as a button, each once and with what follows, and leaves the rest to be said", () => {
@@ -48,12 +50,34 @@ it("resumes a wire only where there is one", () => {
   expect(labels([RESUME], { ...state, unfinished })).toEqual(["Resume…"]);
 });
 
+it("arms again, gives a wire up, and leaves the cutter alone at a button", () => {
+  const again = acts([{ remedy: "arm-again" }, { remedy: "plan-again" }]);
+  expect([again.acts.map(({ label }) => label), again.others]).toEqual([["Arm…"], []]);
+  again.acts[0]?.run();
+  expect(toArm.arm).toHaveBeenCalledOnce();
+
+  expect(labels([{ remedy: "begin-anew" }]), "there is none").toEqual([]);
+  const unfinished = { job_hash: "a1", wire: 1, made: 2, of: 5, resumable: false } as Unfinished;
+  const [giveUp] = acts([{ remedy: "begin-anew" }, { remedy: "abandon-run", run: RESUME.run }], {
+    ...state,
+    unfinished,
+  }).acts;
+  giveUp?.run();
+  expect(platform.ask).toHaveBeenCalledWith("order", { request: { order: "abandon", job_hash: "a1", wire: 1 } });
+
+  expect(useRow.getState().cut).toBe(true);
+  acts([{ remedy: "cut-by-hand" }]).acts[0]?.run();
+  expect(useRow.getState().cut).toBe(false);
+});
+
 it("still says what a person has to look at or do themselves, where its button is only half of it", () => {
   for (const half of [
     { remedy: "check-power-and-port" },
     { remedy: "update-driver" },
     { remedy: "change-driver-setting" },
     { remedy: "trust-driver", file: "/drivers/a.so", again: true },
+    { remedy: "restrict-access", path: "/drivers" },
+    { remedy: "arm-or-jog" },
   ] satisfies ErrorRemedy[]) {
     const { acts: buttons, others } = acts([half]);
     expect([half.remedy, buttons.length, others]).toEqual([half.remedy, 1, [half]]);

@@ -2,8 +2,12 @@
 
 import type { ErrorRemedy } from "../../generated/responses";
 import type { MachineState } from "../../state/machine/operator";
+import { setCut } from "../../state/machine/row";
 import { connect, order, stop } from "../../state/machine/run";
+import { useRunFile } from "../../state/program/run_file";
+import { run, whyNot } from "../../state/window/commands";
 import { useUi } from "../../state/window/ui";
+import type { Arming } from "./arming";
 import type { RunButtons } from "./buttons";
 
 interface Act {
@@ -15,7 +19,7 @@ interface Act {
   readonly run: () => void;
 }
 
-const show = (label: string, section: "machine" | "check", consequence: string): Act => ({
+const show = (label: string, section: "machine" | "check" | "export", consequence: string): Act => ({
   label,
   consequence,
   why: null,
@@ -30,6 +34,30 @@ const pauseOrResume = ({ pause }: RunButtons): Act => ({
   run: () => void order({ order: pause.order }),
 });
 
+/** What is armed where a person is to arm it again. */
+export type ToArm = Pick<Arming, "why" | "arm">;
+
+const armAgain = ({ why, arm }: ToArm): Act => ({
+  label: "Arm…",
+  consequence: "The wire is checked, and you are asked. Nothing moves before Start.",
+  why,
+  run: arm,
+});
+
+/** Giving up the wire that was interrupted; none where there is none. */
+function giveUp({ unfinished }: MachineState, { abandon }: RunButtons): readonly Act[] {
+  if (!unfinished) return [];
+  const { job_hash, wire } = unfinished;
+  return [
+    {
+      label: "Give the wire up",
+      consequence: "It cannot be resumed any more: cut it off and take it out. Nothing moves.",
+      why: abandon,
+      run: () => void order({ order: "abandon", job_hash, wire }),
+    },
+  ];
+}
+
 const STOP: Act = {
   label: "STOP",
   consequence: "Everything stops at once. Home before it moves again.",
@@ -43,11 +71,14 @@ const SAID_TOO: ReadonlySet<ErrorRemedy["remedy"]> = new Set([
   "trust-driver",
   "update-driver",
   "change-driver-setting",
+  "arm-or-jog",
+  "restrict-access",
 ]);
 
 /** The buttons for a remedy, one for each choice; none where a person has to do it. */
-function actsFor(remedy: ErrorRemedy, state: MachineState, all: RunButtons): readonly Act[] {
+function actsFor(remedy: ErrorRemedy, state: MachineState, all: RunButtons, toArm: ToArm): readonly Act[] {
   const { unfinished } = state;
+  const { file } = useRunFile.getState();
   switch (remedy.remedy) {
     case "home":
       return [
@@ -121,6 +152,46 @@ function actsFor(remedy: ErrorRemedy, state: MachineState, all: RunButtons): rea
           },
         },
       ];
+    case "abandon-run":
+    case "begin-anew":
+      return giveUp(state, all);
+    case "arm-again":
+    case "arm-or-jog":
+      return [armAgain(toArm)];
+    case "plan-again":
+      // A design is planned anew whenever it is armed.
+      return file ? [] : [armAgain(toArm)];
+    case "cut-by-hand":
+      return [
+        {
+          label: "Cut by hand",
+          consequence: "“Cut each piece off” is turned off: you are asked before each piece.",
+          why: null,
+          run: () => setCut(false),
+        },
+      ];
+    case "replay-here":
+      if (file?.kind !== "moves") return [];
+      return [
+        {
+          label: "Replay anyway…",
+          consequence: "You are asked before anything moves. Check that the machine has room for the moves.",
+          why: all.replay,
+          run: () => void order({ order: "replay", file: file.path, other_machine: true }),
+        },
+      ];
+    case "open-design":
+      return [
+        {
+          label: "Open a file…",
+          consequence: "The design that the wire was planned from is opened in place of this one.",
+          why: whyNot("open"),
+          run: () => void run("open"),
+        },
+      ];
+    case "export-file":
+      return [show("Show Export", "export", "Opens Export, with the formats that the machine reads.")];
+    case "restrict-access":
     case "list-drivers":
     case "trust-driver":
     case "update-driver":
@@ -138,11 +209,12 @@ export function actsOf(
   remedies: readonly ErrorRemedy[],
   state: MachineState,
   all: RunButtons,
+  toArm: ToArm,
 ): { readonly acts: readonly Act[]; readonly others: readonly ErrorRemedy[] } {
   const acts = new Map<string, Act>();
   const others: ErrorRemedy[] = [];
   for (const remedy of remedies) {
-    const found = actsFor(remedy, state, all);
+    const found = actsFor(remedy, state, all, toArm);
     for (const act of found) acts.set(act.label, act);
     if (found.length === 0 || SAID_TOO.has(remedy.remedy)) others.push(remedy);
   }
