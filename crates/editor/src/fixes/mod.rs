@@ -122,7 +122,7 @@ impl Editor {
     ///
     /// A fix corrects what it is for, at its place, brings no more errors than there were, those aside that could
     /// not be seen before for want of a route, and moves no vertex farther than the shortest edge at it or twice the
-    /// machine's. At most 200 edits are tried, fewer of a design that takes long to plan.
+    /// machine's; scaling the whole, no farther than a metre. At most 200 edits are tried, fewer of a design that takes long to plan.
     /// Where there is much to fix, what is said last may be left without a fix.
     ///
     /// # Errors

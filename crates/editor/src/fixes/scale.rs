@@ -8,6 +8,8 @@ use super::super::EditRequest;
 use super::trials::Trials;
 use super::{Candidate, Finding};
 
+/// A design of which a vertex would go so far, mm, is in another unit, or for another machine.
+const TOO_FAR_MM: f64 = 1000.0;
 /// How often the factor is raised where the bends do not grow with the edges.
 const MAX_ATTEMPTS: usize = 4;
 
@@ -79,13 +81,16 @@ fn rounded(factor: f64, to: fn(f64) -> f64) -> f64 {
     if (factor / unit - nearest).abs() < 1e-9 { nearest * unit } else { to(factor / unit) * unit }
 }
 
-/// The design scaled about the middle of its bounding box.
+/// The design scaled about the middle of its bounding box; none where a vertex would go too far.
 fn scaled(trials: &Trials, factor: f64) -> Option<Candidate> {
     let wireframe = &trials.document().wireframe;
     let mut points = wireframe.vertices().map(|(_, vertex)| vertex.position.coords);
     let first = points.next()?;
     let (low, high) = points
         .fold((first, first), |(low, high): (Vector3<f64>, Vector3<f64>), p| (low.inf(&p), high.sup(&p)));
+    if (high - low).norm() * 0.5 * (1.0 - factor).abs() >= TOO_FAR_MM {
+        return None;
+    }
     let move_by = (low + high) * 0.5 * (1.0 - factor);
     let row = |k: usize| {
         let mut row = [0.0, 0.0, 0.0, move_by[k]];
