@@ -135,7 +135,11 @@ it("keeps the chosen port when the machine is disconnected, and goes back to no 
 });
 
 it("has the machine cut the pieces off where it has a cutter, unless a person does it", () => {
-  const limits = { feasible: true, diagnostics: [], wires: [{ time_s: 60 }] } as unknown as LiveCheck;
+  const limits = {
+    feasible: true,
+    diagnostics: [],
+    wires: [{ time_s: 60, stock_mm: 302 }],
+  } as unknown as LiveCheck;
   useDesign.setState({ edges: new Map([[0, { id: 0, a: 0, b: 1 }]]), limits, check: limits });
   const ready = machineState("ready", "arm", "disconnect");
   useRun.setState({ state: ready });
@@ -143,14 +147,23 @@ it("has the machine cut the pieces off where it has a cutter, unless a person do
   at.show(<RunSection />);
   const box = () =>
     [...at.host.querySelectorAll("label")].find(({ textContent }) => textContent === "Cut each piece off");
+  const stands = () => {
+    const input = box()?.querySelector("input");
+    return [input?.checked, input?.disabled];
+  };
   const arm = () => {
     platform.ask.mockClear();
     act(() => [...at.host.querySelectorAll("button")].find(({ textContent }) => textContent === "Arm…")?.click());
     return platform.ask.mock.calls.find(([name]) => name === "order")?.[1].request.repeat;
   };
-  expect(box()).toBeUndefined();
+  expect(stands()).toEqual([false, true]);
+  expect(at.host.textContent).toContain("load 302.0 mm of wire");
+  expect(box()?.title).toContain("no cutter");
   expect(arm()).toMatchObject({ cut: false });
   act(() => useRun.setState({ state: { ...ready, cutter_mm: 12.5 } }));
+  expect(stands()).toEqual([true, false]);
+  // 12.5 mm more are fed to the cutter.
+  expect(at.host.textContent).toContain("load 314.5 mm of wire");
   expect(arm()).toMatchObject({ cut: true });
   act(() => box()?.querySelector("input")?.click());
   expect(arm()).toMatchObject({ cut: false });

@@ -1,9 +1,9 @@
 import { Button } from "../../shared/controls/Button";
 import { Bar, Checkbox, Select } from "../../shared/controls/inputs";
 import { useLengths } from "../../shared/figures/unit";
-import { isInWire, type MachineState } from "../../state/machine/operator";
+import type { MachineState } from "../../state/machine/operator";
 import { setCut, setPieces, setStock, setWire, useRow } from "../../state/machine/row";
-import { order } from "../../state/machine/run";
+import { isBending, order, useRun } from "../../state/machine/run";
 import { useOtherWire } from "../../state/program/program";
 import { useRunFile } from "../../state/program/run_file";
 import { Anyway } from "../check/Anyway";
@@ -17,22 +17,24 @@ import { Speed } from "./Speed";
 import { UnfinishedCard } from "./UnfinishedCard";
 
 const ALL = "all";
+/** Its driver has no cutter, or the profile does not say where it is. */
+const NO_CUTTER = "This machine has no cutter that the program knows of: cut each piece off by hand.";
 
 /** Arming, starting, pausing the wires of the design. */
 export function Wire({ state }: { readonly state: MachineState }) {
   const { length, long } = useLengths();
-  const { pieces, stockMm, cut, rest, row } = useRow();
+  const { pieces, stockMm, rest, row } = useRow();
   const arming = useArming(state);
-  const { all, wires, wire, refused, anyway, setAnyway, accept } = arming;
+  const { all, wires, wire, cuts, refused, anyway, setAnyway, accept } = arming;
   const otherWire = useOtherWire();
   const file = useRunFile((run) => run.file);
-  const under = isInWire(state.phase);
+  const under = useRun(isBending);
   const busy = under ? "A wire is being bent." : null;
   return (
     <Part
       // Both are in sight, the file here and the design behind it: this says which of them is bent.
       title={file ? `Wire of ${file.name}` : "Wire of the design"}
-      aside={under ? undefined : <span className="muted small">{loadPhrase(wires, wire, long)}</span>}
+      aside={under ? undefined : <span className="muted small">{loadPhrase(arming, long)}</span>}
     >
       {wires.length > 1 && (
         <Select
@@ -65,11 +67,9 @@ export function Wire({ state }: { readonly state: MachineState }) {
         ))}
       {/* What is set before a wire stays, and what comes with it is below: Pause stands where Start stood. */}
       <Pieces pieces={pieces} stock={stockMm} why={busy} onPieces={setPieces} onStock={setStock} />
-      {state.cutter_mm !== null && (
-        <Checkbox checked={cut} onChange={setCut} why={busy}>
-          Cut each piece off
-        </Checkbox>
-      )}
+      <Checkbox checked={cuts} onChange={setCut} why={busy ?? (state.cutter_mm === null ? NO_CUTTER : null)}>
+        Cut each piece off
+      </Checkbox>
       <div className="row">
         {state.phase === "armed" ? (
           <Button className="grow" why={all.disarm} onClick={() => void order({ order: "disarm" })}>

@@ -18,6 +18,10 @@ export interface Arming {
   readonly wires: readonly NextWire[];
   /** The one that is armed next; null for all, one after the other. */
   readonly wire: number | null;
+  /** Whether the machine cuts each piece off. */
+  readonly cuts: boolean;
+  /** How much farther the wire is fed for that, to a cutter outside of the machine, mm. */
+  readonly beyondMm: number;
   /** The machine cannot make it, which a person may accept. */
   readonly refused: boolean;
   /** A person has accepted that. */
@@ -59,10 +63,13 @@ export function useArming(state: MachineState): Arming {
   const refused = prospect.program && !prospect.feasible && (file ? file.kind === "program" : wires.length > 0);
   const despite = (why: string | null) => refused && anyway && why === all.noWire;
   const why = (order: string | null) => (despite(order) ? null : order) ?? needsAccept;
+  const cuts = cut && state.cutter_mm !== null;
   return {
     all,
     wires,
     wire,
+    cuts,
+    beyondMm: cuts ? Math.max(state.cutter_mm ?? 0, 0) : 0,
     refused,
     anyway,
     setAnyway: (on) => setWanted(on ? { version, file } : null),
@@ -79,7 +86,7 @@ export function useArming(state: MachineState): Arming {
           // The rest of a piece is bent once.
           pieces: rest.length > 0 ? 1 : pieces,
           stock_mm: stockMm,
-          cut: cut && state.cutter_mm !== null,
+          cut: cuts,
         },
       }),
     whyNotDry: why(all.dryRun) ?? (wire === null ? "Choose one of the wires." : null),

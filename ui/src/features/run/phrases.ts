@@ -7,6 +7,7 @@ import { angle, type DisplayUnit, deviation, length, time } from "../../shared/f
 import type { Tone } from "../../shared/lists/Mark";
 import type { Move, Unfinished, WireRun, WireState } from "../../state/machine/operator";
 import type { Row } from "../../state/machine/row";
+import type { Arming } from "./arming";
 
 /** "/dev/ttyACM0 · Arduino Uno · probably this one". */
 export function portPhrase({ name, description, usb, likely_for, simulated }: PortEntry): string {
@@ -33,14 +34,13 @@ export function progressPhrase({ made, done_by, of, elapsed_s, remaining_s, piec
 
 /** "load 1 240 mm of wire"; of several wires the longest counts, since a person is asked before each. */
 export function loadPhrase(
-  wires: readonly { readonly stock_mm?: number | null }[],
-  wire: number | null,
+  { wires, wire, beyondMm }: Pick<Arming, "wires" | "wire" | "beyondMm">,
   long: (mm: number) => string,
 ): string {
   const stocks = (wire === null ? wires : wires.slice(wire, wire + 1)).map(({ stock_mm }) => stock_mm ?? null);
   if (stocks.length === 0 || stocks.includes(null)) return "";
   const most = Math.max(...stocks.filter((mm) => mm !== null));
-  return `load ${wire === null ? "up to " : ""}${long(most)} of wire`;
+  return `load ${wire === null ? "up to " : ""}${long(most + beyondMm)} of wire`;
 }
 
 /** "Wires 2 and 3 of the piece remain: wire 2 is armed next." */

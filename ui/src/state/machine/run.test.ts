@@ -7,7 +7,7 @@ vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Erro
 import { tell, useProblems } from "../asking/problems";
 import { machineState } from "../testing";
 import type { MachineState, Question } from "./operator";
-import { answer, connect, hearOperator, isOpen, loadPorts, order, stop, useRun } from "./run";
+import { answer, connect, hearOperator, isBending, isOpen, loadPorts, order, stop, useRun } from "./run";
 
 const state = (given: Partial<MachineState> = {}): MachineState => ({
   ...machineState("ready", "home"),
@@ -18,7 +18,15 @@ const state = (given: Partial<MachineState> = {}): MachineState => ({
 
 beforeEach(() => {
   vi.useFakeTimers();
-  useRun.setState({ state: null, question: null, console: [], recorded: [], ended: null, ordering: false });
+  useRun.setState({
+    state: null,
+    between: false,
+    question: null,
+    console: [],
+    recorded: [],
+    ended: null,
+    ordering: false,
+  });
   useProblems.setState({ problems: [] });
   platform.ask.mockReset();
 });
@@ -35,6 +43,21 @@ describe("hearOperator", () => {
       position: { feed_mm: 10, rotate_deg: 90, bend_deg: 0 },
     });
     expect(useRun.getState().state).not.toHaveProperty("event");
+  });
+
+  it("takes a row of pieces for one run, until its order is done or something stops it", () => {
+    const hear = (phase: MachineState["phase"], busy: boolean) => {
+      hearOperator({ event: "state", ...state({ phase, busy }) });
+      return isBending(useRun.getState());
+    };
+    // A move by hand is no row.
+    expect([hear("armed", false), hear("ready", false), hear("moving", true)]).toEqual([false, false, false]);
+    const row = [hear("making", true), hear("moving", true), hear("ready", true), hear("homing", true)];
+    expect(row).toEqual([true, true, true, true]);
+    expect([hear("making", true), hear("holding", true), hear("moving", true)]).toEqual([true, true, true]);
+    expect([hear("ready", false), hear("moving", true)]).toEqual([false, false]);
+    expect([hear("making", true), hear("moving", true), hear("stopping", true)]).toEqual([true, true, false]);
+    expect(hear("stopped", true)).toBe(false);
   });
 
   it("does not go back to the state of an answer that a newer one has overtaken", async () => {

@@ -17,6 +17,7 @@ import {
   type Move,
   type OperatorEvent,
   type Order,
+  type Phase,
   type Question,
   type WireRun,
 } from "./operator";
@@ -25,6 +26,8 @@ import { forgetRow, hearRow, setAccepted } from "./row";
 interface RunStore {
   /** How the machine stands; null as long as none was connected. */
   readonly state: MachineState | null;
+  /** The order to bend wires goes on, but none is in the machine just now: one is cut off, or the next one is prepared. */
+  readonly between: boolean;
   readonly question: Question | null;
   readonly console: readonly ConsoleLine[];
   /** Lines that were typed for a machine, the last at the end. */
@@ -46,6 +49,7 @@ interface RunStore {
 
 export const useRun = create<RunStore>()(() => ({
   state: null,
+  between: false,
   question: null,
   console: [],
   typed: [],
@@ -65,6 +69,13 @@ export function choosePort(machine: string, port: string): void {
 /** Whether there is a session, so that there may be something to stop. */
 export const isOpen = (state: MachineState | null): boolean => state !== null && state.phase !== "closed";
 
+/** Whether wires are being bent, until the last one of a row is. */
+export const isBending = ({ state, between }: RunStore): boolean =>
+  state !== null && (isInWire(state.phase) || between);
+
+/** How a machine stands on which nothing goes on by itself. */
+const OVER: ReadonlySet<Phase> = new Set(["stopping", "stopped", "failed", "closed"]);
+
 /** How many states were reported: an answer that one has overtaken is older than what is known. */
 let heard = 0;
 
@@ -74,7 +85,11 @@ function standAsAnswered(state: MachineState | null, before: number): void {
 }
 
 function stand(state: MachineState | null): void {
-  useRun.setState(({ question }) => ({ state, question: state?.question === undefined ? question : state.question }));
+  useRun.setState((before) => ({
+    state,
+    between: state?.busy === true && !isInWire(state.phase) && !OVER.has(state.phase) && isBending(before),
+    question: state?.question === undefined ? before.question : state.question,
+  }));
   if (state && isInWire(state.phase)) showWire();
   else if (state?.wire && state.question?.doubt) void showDoubt(state.wire, state.question.doubt);
   else endLive();

@@ -4,8 +4,8 @@ import { useLengths } from "../../../shared/figures/unit";
 import { Line } from "../../../shared/lists/Line";
 import { openPath, pickRunFile } from "../../../state/files/files";
 import { useMachines } from "../../../state/machine/machines";
-import { isInWire, type MachineState } from "../../../state/machine/operator";
-import { order } from "../../../state/machine/run";
+import type { MachineState } from "../../../state/machine/operator";
+import { isBending, order, useRun } from "../../../state/machine/run";
 import { closeRunFile, openRunFile, useRunFile } from "../../../state/program/run_file";
 import { Part } from "../../panel/Section";
 import { buttons } from "../buttons";
@@ -18,6 +18,7 @@ export function ToRun({ state }: { readonly state: MachineState | null }) {
   const machines = useMachines((store) => store.machines);
   const { length, long } = useLengths();
   const all = buttons(state, useProspect());
+  const under = useRun(isBending);
   if (!file) {
     return (
       <Part title="To run">
@@ -43,7 +44,6 @@ export function ToRun({ state }: { readonly state: MachineState | null }) {
     `${length(sum(({ length_mm }) => length_mm))} fed`,
     ...(kind === "moves" ? [] : [`stock ${long(sum(({ stock_mm }) => stock_mm))}`, time(sum(({ time_s }) => time_s))]),
   ];
-  const under = state !== null && isInWire(state.phase);
   return (
     <Part title="To run">
       <fieldset className="run-file stack" aria-label="File to run">
