@@ -12,8 +12,8 @@ use super::trials::{Trial, Trials};
 const SHORTEST_EDGES: f64 = 2.0;
 
 /// Whether each vertex goes no farther than the shortest edge at it is long, or twice the machine's shortest edge where
-/// that is more. Beyond that it is another design and no repair. Where the whole is scaled it
-/// goes with all of it: that has a limit of its own.
+/// that is more. Beyond that it is another design and no repair. Where the whole is scaled it goes with all of it: that has a
+/// limit of its own.
 pub(super) fn is_near(edit: &EditRequest, trial: &Trial, trials: &Trials) -> bool {
     if scales(edit) {
         return true;
