@@ -157,13 +157,13 @@ it("has the machine cut the pieces off where it has a cutter, unless a person do
     return platform.ask.mock.calls.find(([name]) => name === "order")?.[1].request.repeat;
   };
   expect(stands()).toEqual([false, true]);
-  expect(at.host.textContent).toContain("load 302.0 mm of wire");
+  expect(at.host.textContent).toContain("load 302.0 mm");
   expect(box()?.title).toContain("no cutter");
   expect(arm()).toMatchObject({ cut: false });
   act(() => useRun.setState({ state: { ...ready, cutter_mm: 12.5 } }));
   expect(stands()).toEqual([true, false]);
   // 12.5 mm more are fed to the cutter.
-  expect(at.host.textContent).toContain("load 314.5 mm of wire");
+  expect(at.host.textContent).toContain("load 314.5 mm");
   expect(arm()).toMatchObject({ cut: true });
   act(() => box()?.querySelector("input")?.click());
   expect(arm()).toMatchObject({ cut: false });
@@ -187,14 +187,14 @@ it("bends all wires of a design, one after the other, unless a person chooses on
     act(() => button("Arm…")?.click());
     return platform.ask.mock.calls.find(([name]) => name === "order")?.[1].request;
   };
-  expect(at.host.textContent).toContain("load up to 700.0 mm of wire");
+  expect(at.host.textContent).toContain("load up to 700.0 mm");
   expect(armed()).toMatchObject({ order: "arm", wire: null, repeat: { pieces: 1 } });
   expect(button("Dry run…")?.getAttribute("aria-disabled") ?? button("Dry run…")?.disabled).toBeTruthy();
   act(() => useRow.setState({ rest: [1], pieces: 4 }));
   expect(at.host.textContent).toContain("Wire 2 of the piece remains.");
   expect(armed(), "the rest of a piece is bent once").toMatchObject({ wire: 1, repeat: { pieces: 1 } });
   act(() => setWire(0));
-  expect(at.host.textContent).toContain("load 600.0 mm of wire");
+  expect(at.host.textContent).toContain("load 600.0 mm");
   expect(armed()).toMatchObject({ wire: 0, repeat: { pieces: 4 } });
   useDesign.setState({ edges: new Map(), limits: null, check: null });
   useRow.setState(useRow.getInitialState(), true);

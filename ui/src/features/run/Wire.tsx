@@ -30,10 +30,11 @@ export function Wire({ state }: { readonly state: MachineState }) {
   const file = useRunFile((run) => run.file);
   const under = useRun(isBending);
   const busy = under ? "A wire is being bent." : null;
+  const what = wires.length > 1 ? "Wires" : "Wire";
   return (
     <Part
       // Both are in sight, the file here and the design behind it: this says which of them is bent.
-      title={file ? `Wire of ${file.name}` : "Wire of the design"}
+      title={file ? `${what} of ${file.name}` : `${what} of the design`}
       aside={under ? undefined : <span className="muted small">{loadPhrase(arming, long)}</span>}
     >
       {wires.length > 1 && (

@@ -32,7 +32,7 @@ export function progressPhrase({ made, done_by, of, elapsed_s, remaining_s, piec
   return `${ofPiece(piece)}${made} of ${of} steps ${done_by === "machine" ? "done" : "by the clock"} · ${time(elapsed_s)}, ${time(remaining_s)} left`;
 }
 
-/** "load 1 240 mm of wire"; of several wires the longest counts, since a person is asked before each. */
+/** "load 1 240 mm"; of several wires the longest counts, since a person is asked before each. */
 export function loadPhrase(
   { wires, wire, beyondMm }: Pick<Arming, "wires" | "wire" | "beyondMm">,
   long: (mm: number) => string,
@@ -40,7 +40,7 @@ export function loadPhrase(
   const stocks = (wire === null ? wires : wires.slice(wire, wire + 1)).map(({ stock_mm }) => stock_mm ?? null);
   if (stocks.length === 0 || stocks.includes(null)) return "";
   const most = Math.max(...stocks.filter((mm) => mm !== null));
-  return `load ${wire === null ? "up to " : ""}${long(most + beyondMm)} of wire`;
+  return `load ${wire === null ? "up to " : ""}${long(most + beyondMm)}`;
 }
 
 /** "Wires 2 and 3 of the piece remain: wire 2 is armed next." */
