@@ -219,13 +219,17 @@ it("adds a drawing to the design that is open, from either menu", async () => {
   for (const [name, how] of [
     ["two.obj", "drop"],
     ["three.obj", "stencil"],
+    ["four.obj", "menu"],
   ] as const) {
     const drawing = "v 0 0 500\nv 70 0 500\nv 70 50 500\nl 1 2 3\n";
     if (how === "drop") await editor.drop(name, drawing);
     else {
       const file = join(editor.loopback.home, name);
       writeFileSync(file, drawing);
-      await editor.choose(file, () => parts().getByRole("button", { name: "Open stencil…" }).click());
+      await editor.choose(file, async () => {
+        if (how === "stencil") return parts().getByRole("button", { name: "Open stencil…" }).click();
+        return editor.menu("File", "Add to this design…");
+      });
     }
     const dialog = editor.page.getByRole("dialog", { name: `Open ${name}` });
     const before = (await editor.design()).edges.length;
@@ -236,5 +240,10 @@ it("adds a drawing to the design that is open, from either menu", async () => {
     await dialog.waitFor({ state: "detached" });
     expect((await editor.design()).edges.length).toBe(before + 2);
   }
-  expect((await editor.design()).edges.length).toBe(edges + 4);
+  expect((await editor.design()).edges.length).toBe(edges + 6);
+  // A design asks nothing.
+  const saved = join(editor.loopback.home, "same.wirebend");
+  await editor.loopback.ask("save", { path: saved });
+  await editor.choose(saved, () => editor.menu("File", "Add to this design…"));
+  await until(async () => (await editor.design()).edges.length).toBe(2 * (edges + 6));
 });

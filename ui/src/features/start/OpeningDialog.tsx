@@ -90,10 +90,10 @@ function Asking({ opening }: { readonly opening: Opening }) {
 
   const size = look.size_mm;
   const like = size && likeness(Math.max(...size));
-  const chosen: Use | null = purpose === "stencil" && look.faces > 0 ? "stencil" : surface ? use : null;
+  const chosen: Use | null = purpose !== "design" && look.faces > 0 ? "stencil" : surface ? use : null;
   // What has no surface is a wireframe: beside the design that is open, or instead of it.
   const adds = filled && look.faces === 0 && look.edges > 0 && look.seen !== "document";
-  const onlyAdds = adds && purpose === "stencil";
+  const onlyAdds = adds && purpose !== "design";
   const submit = async (add: boolean) => {
     setBusy(true);
     try {

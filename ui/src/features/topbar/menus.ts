@@ -33,6 +33,7 @@ function recent(): MenuItem {
 const file = (): MenuItem[] => [
   item("New", "new"),
   item("Open…", "open"),
+  item("Add to this design…", "add"),
   item("Open stencil…", "open-stencil"),
   recent(),
   item("Examples…", "examples"),

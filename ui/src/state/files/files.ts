@@ -23,7 +23,7 @@ import { chooseStencil, chooseTool, useView } from "../window/view";
 import { useExports } from "./exports";
 
 /** What a file is opened for: as the design, or as the surface that is traced on. */
-export type Purpose = "design" | "stencil";
+export type Purpose = "design" | "stencil" | "add";
 
 /** A file that was looked into, and what is still open about it. */
 /** What becomes of a program or of recorded moves. */
@@ -163,9 +163,13 @@ export async function openPath(path: string, purpose: Purpose = "design", use: R
   if (!look) return;
   if (look.seen === "job") {
     if (purpose === "design") await runFile(path);
+    else if (purpose === "add")
+      tell("error", `${baseName(path)} is a job: add the design that it was planned from.`, "is-a-job");
     else tell("error", `${baseName(path)} is a job, which has no surface to trace on.`, "is-a-job");
   } else if (needsAnswers(look, purpose)) {
     useFiles.setState({ opening: { path, purpose, look, use } });
+  } else if (purpose === "add") {
+    await reading(baseName(path), () => putInto("put-wireframe", { input: { file: path } }));
   } else if (await mayLeave()) {
     await opened(() => asking("open", { design: { input: { file: path } } }), baseName(path));
   }
@@ -269,6 +273,12 @@ function putInto(ask: "put-stencil" | "put-wireframe", design: DesignInput): Pro
 export async function pickDesign(): Promise<void> {
   const path = await told(platform.pickFile([ALL, DESIGNS, MODELS, DRAWINGS, TABLES, RUNS]));
   if (path) await openPath(path);
+}
+
+/** Picks a file whose wireframe, or surface, comes into the design that is open. */
+export async function pickAddition(): Promise<void> {
+  const path = await told(platform.pickFile([ALL, DESIGNS, MODELS, DRAWINGS, TABLES]));
+  if (path) await openPath(path, "add");
 }
 
 export async function pickStencil(): Promise<void> {

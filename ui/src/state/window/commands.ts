@@ -3,7 +3,18 @@ import { redo, undo, useDesign, whyNoChange } from "../design/design";
 import * as operations from "../design/operations";
 import { connected, inverted, isEmpty, NOTHING, select, useSelection } from "../design/selection";
 import { quit } from "../files/closing";
-import { newDesign, pickDesign, pickStencil, save, saveAs, saveJob, saveWireframe, useFiles } from "../files/files";
+import {
+  isBegun,
+  newDesign,
+  pickAddition,
+  pickDesign,
+  pickStencil,
+  save,
+  saveAs,
+  saveJob,
+  saveWireframe,
+  useFiles,
+} from "../files/files";
 import { setPicking, useFrame } from "../frame/frame";
 import { showFrame, useShape } from "../frame/shape";
 import { stop } from "../machine/run";
@@ -144,6 +155,10 @@ function change(run: () => void, why?: () => string | null): Command {
 const COMMANDS: Readonly<Record<CommandId, Command>> = {
   new: { run: () => void newDesign() },
   open: { run: () => void pickDesign() },
+  add: change(
+    () => void pickAddition(),
+    () => (isBegun(useDesign.getState()) ? null : "There is no design yet: open the file."),
+  ),
   "open-stencil": { run: () => void pickStencil() },
   examples: { run: dialog("examples") },
   save: { run: () => void save() },

@@ -3,6 +3,7 @@
 export type CommandId =
   | "new"
   | "open"
+  | "add"
   | "open-stencil"
   | "examples"
   | "save"
