@@ -22,13 +22,15 @@ pub(super) fn change(
     app: &Installation,
     request: &EditRequest,
 ) -> Result<Option<DocumentChange>, EditorError> {
+    let lines = construction::beside(document, request, weld())?;
     if let Some(edits) = request.of_wireframe(weld(), || chord_limits(document, app))? {
         let mut scratch = document.wireframe.clone();
         let mut delta = Delta::none(&document.wireframe);
         for edit in &edits {
             delta = delta.then(&scratch.apply(edit).map_err(EditorError::from)?);
         }
-        return Ok(Some(DocumentChange::of_edit(document, delta)));
+        let change = DocumentChange::of_edit(document, delta);
+        return Ok(both(Some(change), lines));
     }
     // Walks that were chosen are for the wires as they were.
     let anew = |change: Option<DocumentChange>| {

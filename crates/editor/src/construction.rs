@@ -1,13 +1,16 @@
-//! Construction lines of a design: made of edges, made edges of, and deleted.
+//! Construction lines of a design: drawn, made of edges, made edges of, moved and copied beside vertices, and deleted.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use nalgebra::Point3;
+use nalgebra::{Affine3, Point3};
 use wirebend_core::units::Length;
-use wirebend_core::wireframe::{Delta, EdgeId, Edit, Vertex, VertexId};
+use wirebend_core::wireframe::{Delta, EdgeId, Edit, EditError, Vertex, VertexId, Wireframe};
 use wirebend_files::document::{ConstructionLine, Document, DocumentChange};
 
-use crate::{ConstructionChange, EditorError};
+use crate::{ConstructionChange, EditRequest, EditorError};
+
+/// The most places that are added at once, as of vertices.
+const MAX_ADDED: usize = 1_000_000;
 
 /// The difference that a change of construction lines makes; none where it changes nothing.
 pub(super) fn changed(
@@ -16,10 +19,113 @@ pub(super) fn changed(
     weld: Length,
 ) -> Result<Option<DocumentChange>, EditorError> {
     match change {
+        ConstructionChange::Draw { through_mm } => drawn(document, through_mm),
         ConstructionChange::Lines { edges } => from_edges(document, edges),
         ConstructionChange::Edges { lines } => to_edges(document, lines, weld),
         ConstructionChange::Nothing { lines } => Ok(document.set_construction(taken(document, lines)?.1)),
     }
+}
+
+/// What an edit of vertices does to construction lines that go with them.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum LinesEdit {
+    Delete,
+    Place(Affine3<f64>),
+    /// `step`: from each copy to the next.
+    Copy {
+        step: Affine3<f64>,
+        count: u32,
+    },
+}
+
+/// The difference that an edit makes to construction lines beside vertices; none where it has none, or changes none. Lines keep their places
+/// in the list, and copies are appended.
+pub(super) fn beside(
+    document: &Document,
+    request: &EditRequest,
+    weld: Length,
+) -> Result<Option<DocumentChange>, EditorError> {
+    let Some((lines, edit)) = request.of_lines()? else { return Ok(None) };
+    let (taken, left) = taken(document, lines)?;
+    let after = match edit {
+        LinesEdit::Delete => left,
+        LinesEdit::Place(to) => {
+            let mut all = document.construction.clone();
+            let places = lines.iter().copied().collect::<BTreeSet<u32>>();
+            for (place, line) in (0..).zip(&mut all) {
+                if places.contains(&place) {
+                    *line = placed(line, &to);
+                }
+            }
+            all
+        }
+        LinesEdit::Copy { step, count } => {
+            let mut all = document.construction.clone();
+            all.extend(copies(taken, &step, count, weld)?);
+            all
+        }
+    };
+    check_places(&after)?;
+    Ok(document.set_construction(after))
+}
+
+fn placed(line: &ConstructionLine, to: &Affine3<f64>) -> ConstructionLine {
+    ConstructionLine { ends: line.ends.map(|end| to * end) }
+}
+
+/// Copies of lines, each a step from the one before. One that lies on that is none.
+fn copies(
+    mut last: Vec<ConstructionLine>,
+    step: &Affine3<f64>,
+    count: u32,
+    weld: Length,
+) -> Result<Vec<ConstructionLine>, EditorError> {
+    let ends = last.len().saturating_mul(2);
+    if usize::try_from(count).unwrap_or(usize::MAX).saturating_mul(ends) > MAX_ADDED {
+        return Err(EditError::ArrayCount { copies: count, max: MAX_ADDED }.into());
+    }
+    let are_one = |one: Point3<f64>, other: Point3<f64>| (one - other).norm() <= weld.mm();
+    let lies_on = |one: &ConstructionLine, other: &ConstructionLine| {
+        let ([a, b], [c, d]) = (one.ends, other.ends);
+        (are_one(a, c) && are_one(b, d)) || (are_one(a, d) && are_one(b, c))
+    };
+    let mut all = Vec::new();
+    for _ in 0..count {
+        let next: Vec<_> = last.iter().map(|line| (line, placed(line, step))).collect();
+        let apart = next.into_iter().filter(|(line, copy)| !lies_on(line, copy));
+        last = apart.map(|(_, copy)| copy).collect();
+        all.extend_from_slice(&last);
+    }
+    Ok(all)
+}
+
+/// Lines from place to place, after those that are there.
+fn drawn(document: &Document, through_mm: &[[f64; 3]]) -> Result<Option<DocumentChange>, EditorError> {
+    if through_mm.len() < 2 {
+        return Err(EditorError::ConstructionPlaces(through_mm.len()));
+    }
+    if through_mm.len() > MAX_ADDED {
+        return Err(EditError::TooMuch { count: through_mm.len(), max: MAX_ADDED }.into());
+    }
+    let lines: Vec<_> = through_mm
+        .windows(2)
+        .filter_map(|pair| <[[f64; 3]; 2]>::try_from(pair).ok())
+        .map(|ends| ConstructionLine { ends: ends.map(Point3::from) })
+        .collect();
+    if let Some(place) = lines.iter().position(|line| line.ends[0] == line.ends[1]) {
+        return Err(EditorError::ConstructionLength(place + 1));
+    }
+    check_places(&lines)?;
+    Ok(document.set_construction([document.construction.clone(), lines].concat()))
+}
+
+/// Refuses lines that lead out of where vertices may be.
+fn check_places(lines: &[ConstructionLine]) -> Result<(), EditorError> {
+    let mut places = Wireframe::new();
+    for end in lines.iter().flat_map(|line| line.ends) {
+        places.add_vertex(Vertex::at(end)).map_err(EditError::from)?;
+    }
+    Ok(())
 }
 
 /// Edges become construction lines, and vertices without any other edge go.

@@ -49,6 +49,12 @@ pub enum EditorError {
     /// A construction line is not there.
     #[error("there is no construction line {line} in this design, counted from 0: it has {count}")]
     NoConstructionLine { line: u32, count: usize },
+    /// A construction line without a second place to go to.
+    #[error("a construction line goes through {0} places; it has to be 2 or more")]
+    ConstructionPlaces(usize),
+    /// A construction line that goes nowhere, counted from 1 in its strand.
+    #[error("construction line {0} of this strand has no length: its ends have to be apart")]
+    ConstructionLength(usize),
     /// A stencil that is to be changed is not there.
     #[error("there is no stencil {0} in this design")]
     NoStencil(u32),
@@ -149,6 +155,8 @@ impl EditorError {
             | Self::PauseNote
             | Self::Placement(_)
             | Self::NoConstructionLine { .. }
+            | Self::ConstructionPlaces(_)
+            | Self::ConstructionLength(_)
             | Self::Matrix => ErrorCode::Edit,
             Self::NoStencil(_) => ErrorCode::NoStencil,
             Self::NoEdge(_) | Self::NoConstructionEdge(_) | Self::NoPart(_) => ErrorCode::NoEdge,
@@ -182,6 +190,8 @@ impl EditorError {
             | Self::NoEdge(_)
             | Self::NoConstructionEdge(_)
             | Self::NoConstructionLine { .. }
+            | Self::ConstructionPlaces(_)
+            | Self::ConstructionLength(_)
             | Self::NoStencil(_)
             | Self::NoPart(_)
             | Self::Placement(_)

@@ -7,8 +7,8 @@ use wirebend_core::wireframe::{
 };
 
 use super::EditorError;
-use super::plane::{OwnPlane, PlaneName};
-use super::request::{AxisName, EditRequest, PolygonMeasure, RestPlace};
+use super::plane::{AxisName, OwnPlane, PlaneName};
+use super::request::{EditRequest, PolygonMeasure, RestPlace};
 
 impl EditRequest {
     /// The edit that it is; none where it is not given in figures. `chord_limits`: see `of_wireframe`.
@@ -30,7 +30,7 @@ impl EditRequest {
                 normal: normal.map(unit).transpose()?,
                 rest: Rest::from(*rest),
             },
-            Self::Rotate { vertices, axis, through_mm, angle_deg } => Edit::Transform {
+            Self::Rotate { vertices, lines: _, axis, through_mm, angle_deg } => Edit::Transform {
                 vertices: ids(vertices),
                 transform: rotation(*axis, (*through_mm).into(), *angle_deg)?,
             },
@@ -123,7 +123,7 @@ impl AxisName {
 }
 
 /// A turn about an axis through a point; quarter turns come out whole.
-fn rotation(axis: AxisName, through: Point3<f64>, deg: f64) -> Result<Affine3<f64>, EditorError> {
+pub(super) fn rotation(axis: AxisName, through: Point3<f64>, deg: f64) -> Result<Affine3<f64>, EditorError> {
     if !deg.is_finite() {
         return Err(EditorError::Turn(deg));
     }

@@ -36,10 +36,9 @@ pub use error::EditorError;
 pub use fixes::{Fix, FixAll, FixChange, FixPreview};
 use history::{Done, History};
 pub use outcome::{EditOutcome, FilletPart};
-pub use plane::{OwnPlane, PlaneName};
+pub use plane::{AxisName, OwnPlane, PlaneName};
 pub use request::{
-    AxisName, ChosenWalk, ConstructionChange, EditRequest, MergePlace, PastedVertex, Placed, PolygonMeasure,
-    RestPlace,
+    ChosenWalk, ConstructionChange, EditRequest, MergePlace, PastedVertex, Placed, PolygonMeasure, RestPlace,
 };
 pub use view::{DesignState, DesignView, EdgeView, PauseView, VertexView, ViewChange};
 

@@ -1,7 +1,16 @@
-//! The planes that shapes are laid on.
+//! Axes of the design, and the planes that shapes are laid on.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+/// An axis of the frame of the design.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum AxisName {
+    X,
+    Y,
+    Z,
+}
 
 /// A plane of two axes. The first is the first of its name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]

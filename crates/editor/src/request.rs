@@ -5,12 +5,17 @@ use serde::{Deserialize, Serialize};
 use wirebend_files::document::{JointFile, Look, PlacementFile, Walk};
 use wirebend_files::read::LengthUnit;
 
-use super::plane::{OwnPlane, PlaneName};
+use super::plane::{AxisName, OwnPlane, PlaneName};
 
 /// What becomes of construction lines. They are named by their places in the list, from 0.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "make", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ConstructionChange {
+    /// Construction lines are drawn from place to place.
+    Draw {
+        /// Two places or more in order, mm: a line between each and the next.
+        through_mm: Vec<[f64; 3]>,
+    },
     /// Edges become construction lines.
     Lines { edges: Vec<u32> },
     /// Construction lines become edges, joined to vertices that are there.
@@ -47,10 +52,16 @@ pub enum EditRequest {
         vertices: Vec<u32>,
         #[serde(default)]
         edges: Vec<u32>,
+        /// Construction lines that are deleted with them, by their places in the list, from 0.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        lines: Vec<u32>,
     },
     /// Moves vertices.
     Move {
         vertices: Vec<u32>,
+        /// Construction lines that go with them, by their places in the list, from 0.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        lines: Vec<u32>,
         /// How far, mm.
         by_mm: [f64; 3],
     },
@@ -98,12 +109,18 @@ pub enum EditRequest {
     /// Turns, scales or shears vertices, with a matrix of 4 rows and 4 columns, row by row.
     Transform {
         vertices: Vec<u32>,
+        /// Construction lines that go with them, by their places in the list, from 0.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        lines: Vec<u32>,
         /// On positions in mm.
         matrix: [[f64; 4]; 4],
     },
     /// Turns vertices about an axis.
     Rotate {
         vertices: Vec<u32>,
+        /// Construction lines that go with them, by their places in the list, from 0.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        lines: Vec<u32>,
         axis: AxisName,
         /// A point of the axis, mm.
         through_mm: [f64; 3],
@@ -113,6 +130,9 @@ pub enum EditRequest {
     /// Mirrors vertices in a plane.
     Mirror {
         vertices: Vec<u32>,
+        /// Construction lines that go with them, by their places in the list, from 0.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        lines: Vec<u32>,
         /// A point of the plane, mm.
         point_mm: [f64; 3],
         /// The normal of the plane, of any length.
@@ -123,6 +143,9 @@ pub enum EditRequest {
     /// Adds copies of vertices and of the edges between them.
     Array {
         vertices: Vec<u32>,
+        /// Construction lines that are copied with them, by their places in the list, from 0.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        lines: Vec<u32>,
         /// From each copy to the next.
         step: [[f64; 4]; 4],
         /// How many copies are added.
@@ -370,13 +393,4 @@ pub enum PolygonMeasure {
     Flats,
     /// The length of a side.
     Side,
-}
-
-/// An axis of the frame of the design.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum AxisName {
-    X,
-    Y,
-    Z,
 }

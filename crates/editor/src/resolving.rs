@@ -2,10 +2,13 @@
 
 use nalgebra::{Affine3, Matrix4, Point3, Vector3};
 use wirebend_core::units::{Angle, Length};
-use wirebend_core::wireframe::{ChordLimits, EdgeId, Edit, Joint, MergeAt, MirrorMode, Vertex, VertexId};
+use wirebend_core::wireframe::{
+    ChordLimits, EdgeId, Edit, Joint, MergeAt, MirrorMode, Vertex, VertexId, reflection,
+};
 
 use super::EditorError;
-use super::figures::{ids, unit};
+use super::construction::LinesEdit;
+use super::figures::{ids, rotation, unit};
 use super::request::{ConstructionChange, EditRequest, MergePlace};
 
 impl EditRequest {
@@ -38,10 +41,10 @@ impl EditRequest {
                     .collect(),
                 edges: edges.iter().map(|&[a, b]| (a, b)).collect(),
             }),
-            Self::Delete { vertices, edges } => {
+            Self::Delete { vertices, edges, lines: _ } => {
                 one(Edit::Delete { vertices: ids(vertices), edges: edge_ids(edges) })
             }
-            Self::Move { vertices, by_mm } => {
+            Self::Move { vertices, lines: _, by_mm } => {
                 one(Edit::Move { vertices: ids(vertices), by: Vector3::from(*by_mm) })
             }
             Self::Place { positions } => Ok(Some(
@@ -62,16 +65,16 @@ impl EditRequest {
                 };
                 one(Edit::Merge { vertices: ids(vertices), at })
             }
-            Self::Transform { vertices, matrix } => {
+            Self::Transform { vertices, lines: _, matrix } => {
                 one(Edit::Transform { vertices: ids(vertices), transform: affine(matrix)? })
             }
-            Self::Mirror { vertices, point_mm, normal, copy } => {
+            Self::Mirror { vertices, lines: _, point_mm, normal, copy } => {
                 let normal = unit(*normal)?;
                 let mode = if *copy { MirrorMode::Copy } else { MirrorMode::InPlace };
                 let point = Point3::from(*point_mm);
                 one(Edit::Mirror { vertices: ids(vertices), point, normal, mode, weld })
             }
-            Self::Array { vertices, step, count } => {
+            Self::Array { vertices, lines: _, step, count } => {
                 one(Edit::Array { vertices: ids(vertices), step: affine(step)?, count: *count, weld })
             }
             Self::Support { vertices, support } => {
@@ -118,6 +121,28 @@ impl EditRequest {
         }
     }
 
+    /// What it does to construction lines beside vertices, and to which; none where it has none.
+    pub(super) fn of_lines(&self) -> Result<Option<(&[u32], LinesEdit)>, EditorError> {
+        let (lines, edit) = match self {
+            Self::Delete { lines, .. } => (lines, LinesEdit::Delete),
+            Self::Move { lines, by_mm, .. } => (lines, LinesEdit::Place(shift(*by_mm))),
+            Self::Transform { lines, matrix, .. } => (lines, LinesEdit::Place(affine(matrix)?)),
+            Self::Rotate { lines, axis, through_mm, angle_deg, .. } => {
+                (lines, LinesEdit::Place(rotation(*axis, (*through_mm).into(), *angle_deg)?))
+            }
+            Self::Mirror { lines, point_mm, normal, copy, .. } => {
+                let image = reflection((*point_mm).into(), unit(*normal)?);
+                let copies = LinesEdit::Copy { step: image, count: 1 };
+                (lines, if *copy { copies } else { LinesEdit::Place(image) })
+            }
+            Self::Array { lines, step, count, .. } => {
+                (lines, LinesEdit::Copy { step: affine(step)?, count: *count })
+            }
+            _ => return Ok(None),
+        };
+        Ok(Some((lines.as_slice(), edit)).filter(|(lines, _)| !lines.is_empty()))
+    }
+
     /// What a menu calls it after "Undo".
     pub(super) fn label(&self) -> String {
         let some = |count: usize, one: &str, many: &str| match count {
@@ -125,25 +150,32 @@ impl EditRequest {
             count => format!("{count} {many}"),
         };
         let vertices = |list: &[u32]| some(list.len(), "vertex", "vertices");
+        let constructed = |count: usize| some(count, "construction line", "construction lines");
+        let both = |list: &[u32], lines: &[u32]| match (list, lines) {
+            (list, []) => vertices(list),
+            ([], lines) => constructed(lines.len()),
+            (list, lines) => format!("{} and {}", vertices(list), constructed(lines.len())),
+        };
         match self {
             Self::Draw { through_mm, .. } if through_mm.is_empty() => "connect vertices".to_owned(),
             Self::Draw { .. } => "draw".to_owned(),
             Self::Paste { .. } => "paste".to_owned(),
-            Self::Delete { vertices: gone, edges } if edges.is_empty() => {
-                format!("delete {}", vertices(gone))
+            Self::Delete { vertices: gone, edges, lines } => {
+                match (gone.as_slice(), edges.as_slice(), lines.as_slice()) {
+                    (gone, [], []) => format!("delete {}", vertices(gone)),
+                    ([], edges, []) => format!("delete {}", some(edges.len(), "edge", "edges")),
+                    ([], [], lines) => format!("delete {}", constructed(lines.len())),
+                    _ => "delete".to_owned(),
+                }
             }
-            Self::Delete { vertices: gone, edges } if gone.is_empty() => {
-                format!("delete {}", some(edges.len(), "edge", "edges"))
-            }
-            Self::Delete { .. } => "delete".to_owned(),
-            Self::Move { vertices: moved, .. } => format!("move {}", vertices(moved)),
+            Self::Move { vertices: moved, lines, .. } => format!("move {}", both(moved, lines)),
             Self::Place { positions } => format!("place {}", some(positions.len(), "vertex", "vertices")),
             Self::Length { .. } => "set length".to_owned(),
             Self::Angle { .. } => "set angle".to_owned(),
             Self::Split { .. } => "split edge".to_owned(),
             Self::Merge { vertices: merged, .. } => format!("merge {}", vertices(merged)),
-            Self::Transform { vertices: turned, .. } => format!("transform {}", vertices(turned)),
-            Self::Rotate { vertices: turned, .. } => format!("rotate {}", vertices(turned)),
+            Self::Transform { vertices: turned, lines, .. } => format!("transform {}", both(turned, lines)),
+            Self::Rotate { vertices: turned, lines, .. } => format!("rotate {}", both(turned, lines)),
             Self::Mirror { .. } => "mirror".to_owned(),
             Self::Array { .. } => "array".to_owned(),
             Self::Support { support: true, .. } => "fix support".to_owned(),
@@ -174,14 +206,12 @@ impl EditRequest {
             Self::Machine { .. } => "machine".to_owned(),
             Self::Notes { .. } => "notes".to_owned(),
             Self::Units { .. } => "units".to_owned(),
-            Self::Construction { change } => {
-                let lines = |list: &[u32]| some(list.len(), "construction line", "construction lines");
-                match change {
-                    ConstructionChange::Lines { edges } => lines(edges),
-                    ConstructionChange::Edges { lines } => some(lines.len(), "edge", "edges") + " of lines",
-                    ConstructionChange::Nothing { lines: gone } => format!("delete {}", lines(gone)),
-                }
-            }
+            Self::Construction { change } => match change {
+                ConstructionChange::Draw { through_mm } => constructed(through_mm.len().saturating_sub(1)),
+                ConstructionChange::Lines { edges } => constructed(edges.len()),
+                ConstructionChange::Edges { lines } => some(lines.len(), "edge", "edges") + " of lines",
+                ConstructionChange::Nothing { lines } => format!("delete {}", constructed(lines.len())),
+            },
             Self::RemoveStencil { .. } => "remove stencil".to_owned(),
             Self::PlaceStencil { .. } => "place stencil".to_owned(),
             Self::TurnStencil { .. } => "turn stencil".to_owned(),
@@ -198,6 +228,10 @@ fn round(edges: &[u32], tolerance_mm: f64, step_deg: f64, least_edge_mm: f64) ->
     let min_edge = not_negative(least_edge_mm).ok_or(EditorError::LeastEdge(least_edge_mm))?;
     let step = Angle::from_deg(step_deg).map_err(|_| EditorError::ArcStep(step_deg))?;
     Ok(Edit::Round { edges: edge_ids(edges), tolerance: tolerance(tolerance_mm)?, step, min_edge })
+}
+
+fn shift(by_mm: [f64; 3]) -> Affine3<f64> {
+    Affine3::from_matrix_unchecked(Matrix4::new_translation(&Vector3::from(by_mm)))
 }
 
 fn edge_ids(list: &[u32]) -> Vec<EdgeId> {

@@ -1,7 +1,8 @@
 import { lookForCollisions } from "../state/design/collisions";
 import { useDesign } from "../state/design/design";
 import { hideFix, previewGone } from "../state/design/fixes";
-import { keepSelected } from "../state/design/selection";
+import { linesOf, renumberWaiting } from "../state/design/lines";
+import { deselectLines, keepSelected, keepSelectedLines } from "../state/design/selection";
 import { forgetExports, setDespiteErrors } from "../state/files/exports";
 import { useFiles } from "../state/files/files";
 import { forgetFrame, keepSupports } from "../state/frame/frame";
@@ -15,7 +16,7 @@ import { forgetProgram, goTo, leaveStaleProgram } from "../state/program/program
 import { forgetRunFile, useRunFile } from "../state/program/run_file";
 import { forgetSequence, hideSequence } from "../state/sequence/sequence";
 import { designReplaced } from "../state/window/commands";
-import { keepChosenStencil, useView } from "../state/window/view";
+import { keepChosenStencil, setConstructionShown, useView } from "../state/window/view";
 import { type End, together, whenChanged } from "./changes";
 
 /** Another design is open, or will be in a moment: nothing that was of the one before stays. */
@@ -76,6 +77,20 @@ function followChanges(): End {
       ({ vertices, edges, state }) => [vertices, edges, state?.parts],
       // What is hidden is not selected: it would be moved or deleted unseen.
       (design) => keepSelected(shownDesign(design)),
+    ),
+    useDesign.subscribe(({ state }, last) => {
+      const [before, after] = [linesOf(last.state), linesOf(state)];
+      if (before === after) return;
+      keepSelectedLines(before, after);
+      renumberWaiting(before, after);
+      if (after.length > before.length) setConstructionShown(true);
+    }),
+    whenChanged(
+      useView,
+      ({ constructionShown }) => [constructionShown],
+      ({ constructionShown }) => {
+        if (!constructionShown) deselectLines();
+      },
     ),
     whenChanged(useDesign, ({ state }) => [state?.stencils], keepChosenStencil),
     whenChanged(useDesign, ({ state }) => [state?.machine], forgetExports),

@@ -53,6 +53,10 @@ export type EditRequest =
   | {
       edges?: number[];
       edit: "delete";
+      /**
+       * Construction lines that are deleted with them, by their places in the list, from 0.
+       */
+      lines?: number[];
       vertices?: number[];
     }
   | {
@@ -64,6 +68,10 @@ export type EditRequest =
        */
       by_mm: [number, number, number];
       edit: "move";
+      /**
+       * Construction lines that go with them, by their places in the list, from 0.
+       */
+      lines?: number[];
       vertices: number[];
     }
   | {
@@ -125,6 +133,10 @@ export type EditRequest =
   | {
       edit: "transform";
       /**
+       * Construction lines that go with them, by their places in the list, from 0.
+       */
+      lines?: number[];
+      /**
        * On positions in mm.
        *
        * @minItems 4
@@ -146,6 +158,10 @@ export type EditRequest =
       axis: AxisName;
       edit: "rotate";
       /**
+       * Construction lines that go with them, by their places in the list, from 0.
+       */
+      lines?: number[];
+      /**
        * A point of the axis, mm.
        *
        * @minItems 3
@@ -160,6 +176,10 @@ export type EditRequest =
        */
       copy: boolean;
       edit: "mirror";
+      /**
+       * Construction lines that go with them, by their places in the list, from 0.
+       */
+      lines?: number[];
       /**
        * The normal of the plane, of any length.
        *
@@ -182,6 +202,10 @@ export type EditRequest =
        */
       count: number;
       edit: "array";
+      /**
+       * Construction lines that are copied with them, by their places in the list, from 0.
+       */
+      lines?: number[];
       /**
        * From each copy to the next.
        *
@@ -480,6 +504,13 @@ export type LengthUnit = ("mm" | "cm" | "m") | "inch";
  * What becomes of construction lines. They are named by their places in the list, from 0.
  */
 export type ConstructionChange =
+  | {
+      make: "draw";
+      /**
+       * Two places or more in order, mm: a line between each and the next.
+       */
+      through_mm: [number, number, number][];
+    }
   | {
       edges: number[];
       make: "lines";

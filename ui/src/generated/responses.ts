@@ -993,6 +993,10 @@ export type EditRequest =
   | {
       edges: number[];
       edit: "delete";
+      /**
+       * Construction lines that are deleted with them, by their places in the list, from 0.
+       */
+      lines?: number[];
       vertices: number[];
     }
   | {
@@ -1004,6 +1008,10 @@ export type EditRequest =
        */
       by_mm: [number, number, number];
       edit: "move";
+      /**
+       * Construction lines that go with them, by their places in the list, from 0.
+       */
+      lines?: number[];
       vertices: number[];
     }
   | {
@@ -1065,6 +1073,10 @@ export type EditRequest =
   | {
       edit: "transform";
       /**
+       * Construction lines that go with them, by their places in the list, from 0.
+       */
+      lines?: number[];
+      /**
        * On positions in mm.
        *
        * @minItems 4
@@ -1086,6 +1098,10 @@ export type EditRequest =
       axis: AxisName;
       edit: "rotate";
       /**
+       * Construction lines that go with them, by their places in the list, from 0.
+       */
+      lines?: number[];
+      /**
        * A point of the axis, mm.
        *
        * @minItems 3
@@ -1100,6 +1116,10 @@ export type EditRequest =
        */
       copy: boolean;
       edit: "mirror";
+      /**
+       * Construction lines that go with them, by their places in the list, from 0.
+       */
+      lines?: number[];
       /**
        * The normal of the plane, of any length.
        *
@@ -1122,6 +1142,10 @@ export type EditRequest =
        */
       count: number;
       edit: "array";
+      /**
+       * Construction lines that are copied with them, by their places in the list, from 0.
+       */
+      lines?: number[];
       /**
        * From each copy to the next.
        *
@@ -1412,6 +1436,13 @@ export type PolygonMeasure = "corners" | "flats" | "side";
  * What becomes of construction lines. They are named by their places in the list, from 0.
  */
 export type ConstructionChange =
+  | {
+      make: "draw";
+      /**
+       * Two places or more in order, mm: a line between each and the next.
+       */
+      through_mm: [number, number, number][];
+    }
   | {
       edges: number[];
       make: "lines";

@@ -3,8 +3,9 @@
 import { WebGLRenderer } from "three";
 import { BodiesStage } from "./bodies/bodies_stage";
 import { BodiesTool } from "./bodies/bodies_tool";
+import type { BodiesListener, EditedMachine } from "./bodies/interface";
 import { THEMES, type ThemeName } from "./drawing/theme";
-import type { BodiesListener, EditedMachine, LengthFormat, Vec3 } from "./interface";
+import type { LengthFormat, Vec3 } from "./interface";
 import { spacingText } from "./layers/grid_spacing";
 import { Overlay } from "./layers/overlay";
 import { Pointer } from "./tools/pointer";
@@ -12,6 +13,8 @@ import { Frames } from "./view/frames";
 import { turned, type ViewName } from "./view/orbit";
 import { ScreenRatio } from "./view/screen_ratio";
 import { Turning } from "./view/turning";
+
+export type { BodiesListener, EditedMachine } from "./bodies/interface";
 
 export class BodiesView {
   readonly canvas = document.createElement("canvas");

@@ -65,7 +65,12 @@ export interface SceneMarks {
 export interface Selection {
   readonly vertices: ReadonlySet<number>;
   readonly edges: ReadonlySet<number>;
+  /** Construction lines, by their places in the list. */
+  readonly lines: ReadonlySet<number>;
 }
+
+/** What of the wire is selected. */
+export type WireSelection = Omit<Selection, "lines">;
 
 /** A surface in its own frame. */
 export interface SceneSurface {
@@ -174,6 +179,7 @@ export interface Moved {
 export type Hovered =
   | { readonly kind: "vertex"; readonly id: number; readonly x: number; readonly y: number }
   | { readonly kind: "edge"; readonly id: number; readonly x: number; readonly y: number }
+  | { readonly kind: "line"; readonly id: number; readonly x: number; readonly y: number }
   | { readonly kind: "snap"; readonly snap: SnapKind; readonly at: Vec3; readonly x: number; readonly y: number };
 
 /** Directions of the picture in the frame of the design, of length 1: to the right, up, and out of it towards the eye. */
@@ -189,10 +195,10 @@ export interface SceneListener {
   hovered(what: Hovered | null): void;
   /** While a selection is dragged: at the first move of a frame, and where the last has brought it. */
   dragging(moved: readonly Moved[]): void;
-  /** The drag is over: one edit. The scene shows the new places until the design that it is given has them. */
-  dropped(moved: readonly Moved[]): void;
-  /** The same of vertices that were turned by degrees about an axis through a place, right-handed. */
-  turned(vertices: readonly number[], axis: Axis, through: Vec3, deg: number): void;
+  /** The drag is over: one edit, of vertices and of lines that went as far, mm. The scene shows the new places until the design that it is given has them. */
+  dropped(moved: readonly Moved[], lines: readonly number[], by: Vec3): void;
+  /** The same of vertices and lines that were turned by degrees about an axis through a place, right-handed. */
+  turned(vertices: readonly number[], lines: readonly number[], axis: Axis, through: Vec3, deg: number): void;
   dragCancelled(): void;
   /** The chosen stencil was dragged so far, mm. It is shown there until this resolves. */
   stencilMoved(stencil: number, by: Vec3): Promise<void>;
@@ -268,27 +274,6 @@ export interface MachineBody {
   readonly at: Vec3;
   /** Where the cylinder's axis, or the box' own z, points. */
   readonly axis: Vec3;
-}
-
-/** A machine whose bodies are edited. */
-export interface EditedMachine {
-  readonly bodies: readonly MachineBody[];
-  readonly wireDiameter: number;
-  /** As in `Played`. */
-  readonly orbitOffset: number;
-}
-
-/** What the view of a machine's bodies reports. A body is its place in `bodies`. */
-export interface BodiesListener {
-  /** It was clicked on; null: a click beside all. */
-  chosen(body: number | null): void;
-  /** While it is dragged: where its centre is, mm. */
-  dragging(body: number, at: Vec3): void;
-  /** The drag is over: one change. The view shows the new place until the machine that it is given has it. */
-  dropped(body: number, at: Vec3): void;
-  dragCancelled(): void;
-  /** As of `SceneListener`. */
-  viewChanged(name: string): void;
 }
 
 /** A wire to be played on a machine. */

@@ -26,18 +26,20 @@ import type {
 import { Backdrop } from "./layers/backdrop";
 import { Chosen, type Held } from "./layers/chosen";
 import { Construction } from "./layers/construction";
-import { DesignLayer, EDGE_STYLE, NO_MARKS } from "./layers/design_layer";
-import { dimensionLabels, NO_DIMENSIONS } from "./layers/dimensions";
+import { DesignLayer, NO_MARKS } from "./layers/design_layer";
 import { type Change, DrawnDesign } from "./layers/drawn_design";
+import { FixPreview } from "./layers/fix_preview";
 import { Gizmo } from "./layers/gizmo";
 import { facing, Grid } from "./layers/grid";
 import { gridSpacing, type Spacing } from "./layers/grid_spacing";
-import { Labels } from "./layers/labels";
+import { OwnedMarks } from "./layers/owned_marks";
 import { areSame } from "./layers/same_marks";
 import { SelectionLayer } from "./layers/selection_layer";
 import { SpreadLayer } from "./layers/spread";
 import { Stencils } from "./layers/stencils";
 import { StrutLayer } from "./layers/strut_layer";
+import { Texts } from "./layers/texts";
+import type { Pickable } from "./picking/picking";
 import { DEFAULT_SNAP, type Line } from "./picking/snap";
 import { Playback } from "./playback/playback";
 import type { Handle } from "./tools/gizmo_parts";
@@ -66,7 +68,7 @@ export class Stage {
   readonly stencils = new Stencils(this.uniforms);
   private readonly layer = new DesignLayer(this.uniforms, this.theme);
   readonly selected = new SelectionLayer(this.uniforms);
-  private readonly preview = new Tubes(this.uniforms, { ...EDGE_STYLE, radius: 0.9, most: 2.4, dash: 11, flat: true });
+  private readonly preview = new FixPreview(this.uniforms);
   private readonly guides = new Tubes(this.uniforms, { ...GUIDE_STYLE, dash: 9 });
   private readonly symbols = new Symbols(this.uniforms);
   private readonly gizmo = new Gizmo(this.uniforms);
@@ -75,16 +77,9 @@ export class Stage {
   readonly spread = new SpreadLayer(this.uniforms);
   /** Places with a square around them. */
   private held: readonly Vec3[] = [];
-  private readonly labels: Labels;
-  private findings: readonly SceneLabel[] = [];
-  private dimensions = NO_DIMENSIONS;
-  /** Of the edge that is being drawn. */
-  private band: SceneLabel | null = null;
+  private readonly texts: Texts;
   private marks: SceneMarks = NO_MARKS;
-  /** Edges that a fix would take away, by id. */
-  private removed: ReadonlySet<number> = new Set();
-  private readonly signs = new Map<string, readonly Sign[]>();
-  private readonly lines = new Map<string, readonly Guide[]>();
+  private readonly owned = new OwnedMarks();
   private handle: Handle | null = null;
   private seen: Projection | null = null;
   private readonly chosen = new Chosen();
@@ -92,17 +87,12 @@ export class Stage {
   /** `overlay`: for texts over the picture; `changed`: it has to be drawn again. */
   constructor(
     overlay: HTMLElement,
-    private lengths_: LengthFormat,
+    public lengths: LengthFormat,
     private readonly changed: () => void,
   ) {
-    this.labels = new Labels(overlay, this.theme);
-    this.designed.add(
-      this.layer.group,
-      this.selected.outlines.mesh,
-      this.preview.mesh,
-      this.stencils.group,
-      this.spread.mesh,
-    );
+    this.texts = new Texts(overlay, this.theme);
+    const { layer, preview, selected, spread, stencils } = this;
+    this.designed.add(layer.group, selected.outlines.mesh, preview.mesh, stencils.group, spread.mesh);
     this.world.add(this.backdrop.mesh, this.grid.mesh, this.designed, this.struts.group, this.playback.group);
     this.above.add(this.guides.mesh, this.gizmo.mesh, this.symbols.mesh);
     this.gizmo.mesh.renderOrder = 1;
@@ -110,12 +100,8 @@ export class Stage {
     this.paint(this.theme);
   }
 
-  get lengths(): LengthFormat {
-    return this.lengths_;
-  }
-
-  set lengths(lengths: LengthFormat) {
-    this.lengths_ = lengths;
+  setLengths(lengths: LengthFormat): void {
+    this.lengths = lengths;
     this.label();
   }
 
@@ -131,20 +117,31 @@ export class Stage {
   /** Where the gizmo is: amid what would move; null where it is not shown. */
   get gizmoAt(): Vec3 | null {
     if (this.tool !== "select" || this.playing || this.struts.shown) return null;
-    const places = [...this.design.placesOf(this.selected.selection).values()];
+    const places = this.placesOf(this.selected.selection);
     if (places.length > 0) return middle(places);
     return this.stencilInHand && this.chosen.middle;
   }
 
+  /** Where the vertices and the ends of the lines of a selection are. */
+  placesOf(selection: Selection): Vec3[] {
+    return [...this.design.placesOf(selection).values(), ...this.construction.endsOf(selection)];
+  }
+
   /** About what a selection or a stencil can be turned: its middle; null where it is a single vertex. */
   get turnsAt(): Vec3 | null {
-    return this.stencilInHand || this.design.moving(this.selected.selection).size > 1 ? this.gizmoAt : null;
+    return this.stencilInHand || this.placesOf(this.selected.selection).length > 1 ? this.gizmoAt : null;
   }
 
   /** The stencil that would move, and its middle: where nothing is selected. */
   get stencilInHand(): ChosenStencil | null {
-    const { vertices, edges } = this.selected.selection;
-    return vertices.size + edges.size > 0 ? null : this.chosen.stencil;
+    const { vertices, edges, lines } = this.selected.selection;
+    return vertices.size + edges.size + lines.size > 0 ? null : this.chosen.stencil;
+  }
+
+  /** What there is to be clicked on. */
+  get pickable(): Pickable {
+    const lines = this.designed.visible ? this.construction.all : [];
+    return { design: this.design, projection: this.projection, lines };
   }
 
   viewMoved(): void {
@@ -154,6 +151,7 @@ export class Stage {
 
   setDesign(design: SceneDesign): void {
     this.redraw(this.design.update(design));
+    this.construction.held = null;
     this.bound();
   }
 
@@ -161,25 +159,25 @@ export class Stage {
     // While a person drags, most answers say the same of every place.
     if (areSame(marks, this.marks)) return;
     this.marks = marks;
-    this.layer.mark(this.design, marks, this.removed);
+    this.layer.mark(this.design, marks, this.preview.removed);
     this.reselect();
   }
 
   /** What the checks say of places, in figures. */
   setLabels(findings: readonly SceneLabel[]): void {
-    this.findings = findings;
+    this.texts.findings = findings;
     this.label();
   }
 
   /** What is written beside the edge that is being drawn. */
   setBand(band: SceneLabel | null): void {
-    if (band === null && this.band === null) return;
-    this.band = band;
+    if (band === null && this.texts.band === null) return;
+    this.texts.band = band;
     this.label();
   }
 
   setDimensions(dimensions: SceneDimensions): void {
-    this.dimensions = dimensions;
+    this.texts.dimensions = dimensions;
     const { between } = dimensions;
     const look = { colour: this.theme.acted };
     this.mark("measured", [], between ? [{ from: between[0], to: between[1], look }] : []);
@@ -187,11 +185,8 @@ export class Stage {
   }
 
   setPreview(preview: Preview | null): void {
-    const edges = preview?.edges ?? [];
-    this.removed = preview?.removed ?? new Set();
-    this.preview.count = edges.length;
-    edges.forEach(([from, to], row) => this.preview.set(row, from, to, { colour: this.theme.acted }));
-    this.layer.mark(this.design, this.marks, this.removed);
+    this.preview.show(preview, this.theme);
+    this.layer.mark(this.design, this.marks, this.preview.removed);
     this.changed();
   }
 
@@ -212,13 +207,24 @@ export class Stage {
     this.changed();
   }
 
-  /** Shows construction lines; `pointed`: the place of one that is pointed at. */
-  setConstruction(lines: readonly Line[], pointed: number | null): void {
-    if (this.construction.show(lines, pointed)) this.bound();
+  /** Shows construction lines; whether they are others than before. */
+  setConstruction(lines: readonly Line[]): boolean {
+    const changed = this.construction.show(lines);
+    this.holdLines(null);
+    if (changed) this.bound();
+    return changed;
+  }
+
+  /** Shows the selected construction lines elsewhere while they are in the hand; null: where they are. */
+  holdLines(held: Held | null): void {
+    this.construction.held = held;
+    this.layConstruction();
   }
 
   private layConstruction(): void {
-    this.mark("construction", [], this.designed.visible ? this.construction.lines(this.theme) : []);
+    const { construction, designed, selected, theme } = this;
+    const lines = designed.visible ? construction.lines(theme, selected) : [];
+    this.mark("construction", lines.length > 0 ? construction.signs(theme, selected) : [], lines);
   }
 
   setStencils(stencils: readonly SceneStencil[]): void {
@@ -250,22 +256,15 @@ export class Stage {
     this.reselect();
   }
 
-  hover(hovered: Selection): void {
-    this.selected.hovered = hovered;
-    this.reselect();
-  }
-
-  highlight(highlight: Selection): void {
-    this.selected.highlight = highlight;
+  /** Marks what is under the pointer, or pointed at in a list. */
+  point(how: "hovered" | "highlight", at: Selection): void {
+    this.selected[how] = at;
     this.reselect();
   }
 
   /** Signs and lines of one owner, instead of those that it had. */
   mark(owner: string, signs: readonly Sign[], lines: readonly Guide[] = []): void {
-    if (signs.length === 0 && lines.length === 0 && !this.signs.has(owner) && !this.lines.has(owner)) return;
-    this.signs.set(owner, signs);
-    this.lines.set(owner, lines);
-    this.changed();
+    if (this.owned.set(owner, signs, lines)) this.changed();
   }
 
   activate(handle: Handle | null): void {
@@ -281,19 +280,18 @@ export class Stage {
     this.stencils.paint(theme);
     this.gizmo.paint(theme);
     this.holdStencil(this.chosen.held);
-    this.layConstruction();
     this.playback.paint(theme);
     this.struts.paint(theme);
-    this.labels.paint(theme);
+    this.texts.paint(theme);
     this.symbols.halo = theme.halo;
-    for (let row = 0; row < this.preview.count; row += 1) this.preview.style(row, { colour: theme.acted });
+    this.preview.paint(theme);
     this.reselect();
   }
 
-  /** Looks at these vertices and edges, or at everything there is. */
+  /** Looks at these, or at everything there is. */
   frame(selection: Selection | null): void {
     const { camera } = this;
-    const chosen = selection ? [...this.design.placesOf(selection).values()] : [];
+    const chosen = selection ? this.placesOf(selection) : [];
     const played = this.playback.places;
     const places = played ?? (chosen.length > 0 ? chosen : this.everything());
     camera.orbit = framing(camera.orbit, places, framedAspect(camera.width, camera.height));
@@ -331,11 +329,11 @@ export class Stage {
     this.uniforms.fade.value.z = theme.fade * (this.playing ? 0.45 : this.struts.shown ? 0.3 : 1);
     this.layGrid(height);
     const signs = this.playing ? [] : this.ownSigns(theme);
-    this.symbols.show([...signs, ...[...this.signs.values()].flat()]);
-    this.guides.show([...this.lines.values()].flat());
+    this.symbols.show([...signs, ...this.owned.signs]);
+    this.guides.show(this.owned.lines);
     this.gizmo.show(this.gizmoAt, this.handle, this.turnsAt !== null);
     paintPicture(renderer, this.world, this.above, camera.three);
-    if (width > 0) this.labels.place(projection, !this.playing);
+    if (width > 0) this.texts.place(projection, !this.playing);
   }
 
   dispose(): void {
@@ -352,9 +350,9 @@ export class Stage {
       this.playback,
       this.struts,
       this.spread,
+      this.texts,
     ])
       part.dispose();
-    this.labels.show([]);
   }
 
   private ownSigns(theme: Theme): Sign[] {
@@ -370,13 +368,13 @@ export class Stage {
   }
 
   private label(): void {
-    const dimensions = dimensionLabels(this.design, this.dimensions, this.lengths);
-    this.labels.show([...(this.band ? [this.band] : []), ...this.findings, ...dimensions]);
+    this.texts.show(this.design, this.lengths);
     this.changed();
   }
 
   private reselect(): void {
     this.selected.sync(this.design, this.layer, this.theme);
+    this.layConstruction();
     this.changed();
   }
 

@@ -28,10 +28,8 @@ import type {
 import { spacingText } from "./layers/grid_spacing";
 import { Overlay } from "./layers/overlay";
 import { Stage } from "./stage";
-import { MeasureTool } from "./tools/measure_tool";
 import { Pointer, type ToolHandler } from "./tools/pointer";
-import { SelectTool } from "./tools/select_tool";
-import { TraceTool } from "./tools/trace_tool";
+import { Tools } from "./tools/tools";
 import { Frames } from "./view/frames";
 import { axes, type ViewName } from "./view/orbit";
 import { ScreenRatio } from "./view/screen_ratio";
@@ -53,9 +51,7 @@ export class Viewport {
   private readonly frames: Frames;
   private readonly pointer: Pointer;
   private readonly turning: Turning;
-  private readonly selecting: SelectTool;
-  private readonly tracing: TraceTool;
-  private readonly measuring: MeasureTool;
+  private readonly tools: Tools;
   private readonly resized: ResizeObserver;
   private readonly stop = new AbortController();
   private framed = false;
@@ -87,9 +83,7 @@ export class Viewport {
     );
     this.stage = new Stage(this.overlay.element, options.lengths, () => this.frames.request());
     this.turning = new Turning(this.stage, (name) => listener.viewChanged(name));
-    this.selecting = new SelectTool(this.stage, listener, this.overlay);
-    this.tracing = new TraceTool(this.stage, listener, this.overlay);
-    this.measuring = new MeasureTool(this.stage, listener, this.overlay);
+    this.tools = new Tools(this.stage, listener, this.overlay);
     this.pointer = new Pointer(
       canvas,
       this.stage.camera,
@@ -127,9 +121,7 @@ export class Viewport {
   /** All of the design, whenever any of it has changed: what is the same object is not drawn again. Ends what a drop has left shown. */
   setDesign(design: SceneDesign): void {
     this.stage.setDesign(design);
-    this.selecting.designChanged();
-    this.tracing.designChanged();
-    this.measuring.designChanged();
+    this.tools.designChanged();
     this.frameFirst();
   }
 
@@ -142,8 +134,8 @@ export class Viewport {
   }
 
   /** Pointed at elsewhere: hovered or focused in a list. */
-  setHighlight(vertices: Iterable<number>, edges: Iterable<number>): void {
-    this.stage.highlight({ vertices: new Set(vertices), edges: new Set(edges) });
+  setHighlight(highlight: Selection): void {
+    this.stage.point("highlight", highlight);
   }
 
   setPreview(preview: Preview | null): void {
@@ -176,9 +168,9 @@ export class Viewport {
     this.frameFirst();
   }
 
-  /** Lines that are no wire, each by its two ends; `pointed`: the place of one that is pointed at elsewhere. */
-  setConstruction(lines: readonly (readonly [Vec3, Vec3])[], pointed: number | null): void {
-    this.stage.setConstruction(lines, pointed);
+  /** Lines that are no wire, each by its two ends. */
+  setConstruction(lines: readonly (readonly [Vec3, Vec3])[]): void {
+    if (this.stage.setConstruction(lines)) this.tools.linesChanged();
     this.frameFirst();
   }
 
@@ -197,10 +189,7 @@ export class Viewport {
 
   setTool(tool: Tool): void {
     if (tool === this.stage.tool) return;
-    this.selecting.cancel();
-    this.selecting.hover(null);
-    this.tracing.leave();
-    this.measuring.leave();
+    this.tools.leave();
     this.stage.tool = tool;
     this.turning.forget();
     this.overlay.cursor(tool === "select" ? "default" : "crosshair");
@@ -235,17 +224,17 @@ export class Viewport {
   }
 
   setLengths(lengths: LengthFormat): void {
-    this.stage.lengths = lengths;
+    this.stage.setLengths(lengths);
   }
 
   /** Locks what is being moved to an axis; the same again, or null, frees it. */
   lockAxis(axis: Axis | null): void {
-    this.selecting.lock(axis);
+    this.tools.select.lock(axis);
   }
 
   /** Moves the selection with the pointer until a click; whether there is a selection to move. */
   startGrab(): boolean {
-    return this.stage.tool === "select" && this.selecting.startGrab();
+    return this.stage.tool === "select" && this.tools.select.startGrab();
   }
 
   /** While something is moved or a strand is open, its keys; whether this was one. Call it before the editor's own keys. */
@@ -295,7 +284,7 @@ export class Viewport {
     const ends = played === null && this.stage.playing;
     if (begins) {
       this.cancel();
-      this.selecting.hover(null);
+      this.tools.select.hover(null);
       this.beforePlay = this.turning.seen;
     }
     playback.play(played);
@@ -357,12 +346,11 @@ export class Viewport {
   }
 
   private get handler(): ToolHandler {
-    return this.stage.playing ? this.selecting : this.tool;
+    return this.stage.playing ? this.tools.select : this.tool;
   }
 
-  private get tool(): SelectTool | TraceTool | MeasureTool {
-    const { tool } = this.stage;
-    return tool === "select" ? this.selecting : tool === "measure" ? this.measuring : this.tracing;
+  private get tool(): ReturnType<Tools["named"]> {
+    return this.tools.named(this.stage.tool);
   }
 
   private draw(): void {
@@ -395,6 +383,6 @@ export class Viewport {
 
   /** Keys of the view alone, which count while it has the focus; to what is in the hand they are digits and signs. */
   private turnByKey(event: KeyboardEvent): void {
-    if (!this.selecting.grab && this.turning.byKey(event)) event.preventDefault();
+    if (!this.tools.select.grab && this.turning.byKey(event)) event.preventDefault();
   }
 }

@@ -43,7 +43,7 @@ const ORDER: &[(&str, &str)] = &[
     ),
     (
         "crates/editor",
-        "plane request view error history edit_journal figures resolving construction changing outcome check collisions fixes",
+        "plane request view error history edit_journal figures construction resolving changing outcome check collisions fixes",
     ),
     (
         "crates/operation",

@@ -20,7 +20,7 @@ pub use components::Component;
 pub use delta::{Change, Delta, StaleDelta};
 pub use edits::{
     ChordLimits, Edit, EditError, FilletFault, FilletOutcome, MergeAt, MirrorMode, NEAR_LIMIT, Outcome,
-    PolygonSize, Rest, ShapeOutcome, ShapePlane,
+    PolygonSize, Rest, ShapeOutcome, ShapePlane, reflection,
 };
 pub use graph::{Edge, EdgeId, NextIds, Vertex, VertexId, Wireframe, WireframeError};
 pub use joint::{Joint, JointKind};

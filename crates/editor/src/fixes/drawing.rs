@@ -15,7 +15,7 @@ pub(super) fn candidates(finding: Finding, all: &[Finding], document: &Document)
             let Some(ends) = document.wireframe.edge(edge) else { return Vec::new() };
             let delete = Candidate {
                 title: format!("Delete edge {edge}"),
-                edit: EditRequest::Delete { vertices: Vec::new(), edges: vec![edge.0] },
+                edit: EditRequest::Delete { vertices: Vec::new(), edges: vec![edge.0], lines: Vec::new() },
             };
             if ends.a == ends.b {
                 vec![delete]
@@ -27,7 +27,7 @@ pub(super) fn candidates(finding: Finding, all: &[Finding], document: &Document)
             .iter()
             .map(|edge| Candidate {
                 title: format!("Delete edge {edge}"),
-                edit: EditRequest::Delete { vertices: Vec::new(), edges: vec![edge.0] },
+                edit: EditRequest::Delete { vertices: Vec::new(), edges: vec![edge.0], lines: Vec::new() },
             })
             .collect(),
         (Code::CoincidentVertices, &[id, first, ..], _) => {
@@ -46,7 +46,7 @@ pub(super) fn candidates(finding: Finding, all: &[Finding], document: &Document)
         }
         (Code::IsolatedVertex, &[vertex, ..], _) => vec![Candidate {
             title: format!("Delete vertex {vertex}"),
-            edit: EditRequest::Delete { vertices: vec![vertex.0], edges: Vec::new() },
+            edit: EditRequest::Delete { vertices: vec![vertex.0], edges: Vec::new(), lines: Vec::new() },
         }],
         _ => Vec::new(),
     }

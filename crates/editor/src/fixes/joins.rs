@@ -98,6 +98,6 @@ fn moved_edge(wireframe: &Wireframe, id: EdgeId, by: Vector3<f64>) -> Option<Can
     let free = |end| wireframe.vertex(end).is_some_and(|vertex| !vertex.support);
     (free(edge.a) && free(edge.b)).then(|| Candidate {
         title: format!("Move edge {id} by {}", shown_mm(by.norm())),
-        edit: EditRequest::Move { vertices: vec![edge.a.0, edge.b.0], by_mm: by.into() },
+        edit: EditRequest::Move { vertices: vec![edge.a.0, edge.b.0], lines: Vec::new(), by_mm: by.into() },
     })
 }

@@ -128,6 +128,6 @@ impl Straight {
 pub(super) fn move_vertex(id: VertexId, by: Vector3<f64>) -> Candidate {
     Candidate {
         title: format!("Move vertex {id} by {}", shown_mm(by.norm())),
-        edit: EditRequest::Move { vertices: vec![id.0], by_mm: by.into() },
+        edit: EditRequest::Move { vertices: vec![id.0], lines: Vec::new(), by_mm: by.into() },
     }
 }

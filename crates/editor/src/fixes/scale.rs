@@ -101,6 +101,7 @@ fn scaled(trials: &Trials, factor: f64) -> Option<Candidate> {
         title: format!("Scale the design by {}", three_digits(factor)),
         edit: EditRequest::Transform {
             vertices: wireframe.vertices().map(|(id, _)| id.0).collect(),
+            lines: Vec::new(),
             matrix: [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]],
         },
     })

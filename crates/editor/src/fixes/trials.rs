@@ -240,7 +240,11 @@ mod tests {
         let change = changing::change(&document, &app, &strand).unwrap().unwrap();
         document.commit(&change).unwrap();
         let (_, mut trials) = Trials::begin(document, &app, &setup).unwrap();
-        let moved = |by: u32| EditRequest::Move { vertices: vec![2], by_mm: [0.0, f64::from(by), 0.0] };
+        let moved = |by: u32| EditRequest::Move {
+            vertices: vec![2],
+            lines: Vec::new(),
+            by_mm: [0.0, f64::from(by), 0.0],
+        };
         // Three findings: a third each, then half of what is left.
         for (findings, most) in [(3, 66), (2, 133), (1, 200)] {
             trials.share(findings);

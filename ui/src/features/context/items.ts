@@ -1,5 +1,6 @@
 import type { MenuItem } from "../../shared/layers/Menu";
 import { useDesign } from "../../state/design/design";
+import { selectedEdges } from "../../state/design/operations";
 import { isEmpty, useSelection } from "../../state/design/selection";
 import { hideByHand, useByHand } from "../../state/machine/by_hand";
 import { showDesignAgain, usePlayback } from "../../state/program/program";
@@ -14,6 +15,9 @@ function item(label: string, command: CommandId): MenuItem {
   return { kind: "item", label, keys: keyOf(command), why: whyNot(command), run: () => run(command) };
 }
 
+/** Construction lines alone are selected. */
+const makesEdges = (): boolean => useSelection.getState().lines.size > 0 && selectedEdges().length === 0;
+
 /** What can be done with what is selected. */
 const selected = (): MenuItem[] => [
   item("Move", "move"),
@@ -22,7 +26,7 @@ const selected = (): MenuItem[] => [
   item("Split", "split"),
   item("Connect", "connect"),
   item("Merge", "merge"),
-  item("Make construction lines", "construction"),
+  item(makesEdges() ? "Make edges" : "Make construction lines", "construction"),
   RULE,
   item("Mirror…", "mirror"),
   item("Array…", "array"),

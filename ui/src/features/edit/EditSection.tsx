@@ -4,6 +4,7 @@ import { count } from "../../shared/figures/format";
 import { useLengths } from "../../shared/figures/unit";
 import { useDesign } from "../../state/design/design";
 import { lengthOf } from "../../state/design/geometry";
+import { lengthOfLines, linesOf } from "../../state/design/lines";
 import { measured } from "../../state/design/measure";
 import { edgesOf, isEmpty, useSelection, verticesOf } from "../../state/design/selection";
 import { Part, Section } from "../panel/Section";
@@ -24,9 +25,11 @@ function Selected() {
     if (isEmpty(selection)) return null;
     const [vertices, edges] = [verticesOf(selection, design), edgesOf(selection, design)];
     return [
-      count(vertices.length, "vertex", "vertices"),
-      count(edges.length, "edge"),
+      vertices.length > 0 && count(vertices.length, "vertex", "vertices"),
+      vertices.length > 0 && count(edges.length, "edge"),
       edges.length > 0 && length(lengthOf(edges, design)),
+      selection.lines.size > 0 && count(selection.lines.size, "construction line"),
+      vertices.length === 0 && length(lengthOfLines(selection.lines, linesOf(design.state))),
     ]
       .filter(Boolean)
       .join(" · ");
@@ -44,7 +47,7 @@ function Distance() {
   const selection = useSelection();
   const { length, bare, name } = useLengths();
   const text = useMemo(() => {
-    const found = measured(selection, design);
+    const found = measured(selection, design, linesOf(design.state));
     return found && apartPhrase(found, { length, bare, name });
   }, [selection, design, length, bare, name]);
   return (

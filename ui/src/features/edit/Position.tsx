@@ -6,7 +6,7 @@ import { NumberField } from "../../shared/controls/NumberField";
 import { useDesign } from "../../state/design/design";
 import { AXES, axisIndex } from "../../state/design/geometry";
 import { moveBy, place, support } from "../../state/design/operations";
-import { useSelection, verticesOf } from "../../state/design/selection";
+import { isEmpty, useSelection, verticesOf } from "../../state/design/selection";
 import { run } from "../../state/window/commands";
 import { useView } from "../../state/window/view";
 import { Joint } from "./Joint";
@@ -84,8 +84,10 @@ export function Position() {
   const selection = useSelection();
   const ids = verticesOf(selection, design);
   const [one] = ids;
-  const vertex = ids.length === 1 && one !== undefined ? design.vertices.get(one) : undefined;
+  const alone = ids.length === 1 && selection.lines.size === 0;
+  const vertex = alone && one !== undefined ? design.vertices.get(one) : undefined;
   const none = ids.length === 0 ? NONE : null;
+  const still = isEmpty(selection) ? NONE : null;
   const supports = ids.filter((id) => design.vertices.get(id)?.support).length;
   return (
     <>
@@ -100,12 +102,12 @@ export function Position() {
           <div className="move-by" />
         </>
       ) : (
-        <MoveBy none={none} />
+        <MoveBy none={still} />
       )}
       <div className="row">
         <span className="muted grow">Move with the pointer along</span>
         {AXES.map((axis) => (
-          <Button key={axis} small why={none} onClick={() => grab(axis)} title={`G, then ${axis.toUpperCase()}`}>
+          <Button key={axis} small why={still} onClick={() => grab(axis)} title={`G, then ${axis.toUpperCase()}`}>
             {axis.toUpperCase()}
           </Button>
         ))}

@@ -5,8 +5,8 @@ import { Segmented } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
 import { useDesign } from "../../state/design/design";
 import { edgeOf } from "../../state/design/exact";
-import { AXES, boundsOf } from "../../state/design/geometry";
-import { rotate, rotateAbout, selectedVertices } from "../../state/design/operations";
+import { AXES } from "../../state/design/geometry";
+import { rotate, rotateAbout, selectedBounds } from "../../state/design/operations";
 import { select, useSelection } from "../../state/design/selection";
 import { ABOUT, type About } from "./copies";
 import { Do } from "./forms";
@@ -28,7 +28,7 @@ export function RotateForm() {
       if (line) void rotateAbout(line.id, by);
       return;
     }
-    const middle = boundsOf(selectedVertices(), useDesign.getState())?.centre;
+    const middle = selectedBounds()?.centre;
     if (middle) void rotate(axis, through === "origin" ? [0, 0, 0] : middle, by);
   };
   const choose = (about: Axis | "edge") => {

@@ -4,8 +4,8 @@ import { Field } from "../../shared/controls/Field";
 import { Segmented } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
 import { useDesign } from "../../state/design/design";
-import { AXES, axisIndex, boundsOf, rotation, scaling, translation } from "../../state/design/geometry";
-import { array, largest, selectedVertices, transform } from "../../state/design/operations";
+import { AXES, axisIndex, rotation, scaling, translation } from "../../state/design/geometry";
+import { array, largest, selectedBounds, transform } from "../../state/design/operations";
 import { useSelection } from "../../state/design/selection";
 import { useWhyNot } from "../../state/window/commands";
 import { AxisField, Do } from "./forms";
@@ -28,7 +28,7 @@ export function ArrayForm() {
   const [along, setAlong] = useState(0);
   const [about, setAbout] = useState<About>("origin");
   const make = () => {
-    const middle = boundsOf(selectedVertices(), useDesign.getState())?.centre ?? [0, 0, 0];
+    const middle = selectedBounds()?.centre ?? [0, 0, 0];
     void array(
       kind === "step" ? translation(by) : rotation(axis, deg, about === "origin" ? [0, 0, 0] : middle, along),
       count,

@@ -5,8 +5,8 @@ import { Field } from "../../shared/controls/Field";
 import { Checkbox, Segmented, Select } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
 import { useDesign } from "../../state/design/design";
-import { AXES, axisIndex, boundsOf } from "../../state/design/geometry";
-import { extrude, merge, mirror, round, selectedVertices, split, straighten } from "../../state/design/operations";
+import { AXES, axisIndex } from "../../state/design/geometry";
+import { extrude, merge, mirror, round, selectedBounds, split, straighten } from "../../state/design/operations";
 import { useWhyNot } from "../../state/window/commands";
 import type { CommandId } from "../../state/window/keys";
 
@@ -111,9 +111,9 @@ export function MirrorForm() {
   const [axis, setAxis] = useState<Axis>("x");
   const [through, setThrough] = useState<"origin" | "middle" | "side">("origin");
   const [copy, setCopy] = useState(true);
-  const design = useDesign();
+  useDesign();
   const planeAt = () => {
-    const bounds = boundsOf(selectedVertices(), design);
+    const bounds = selectedBounds();
     if (!bounds || through === "origin") return 0;
     return (through === "middle" ? bounds.centre : bounds.low)[axisIndex(axis)];
   };

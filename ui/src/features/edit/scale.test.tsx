@@ -43,6 +43,7 @@ it("the selection is scaled by Enter, to the size that was just typed along its 
   expect(edits).toEqual([
     {
       edit: "transform",
+      lines: [],
       vertices: [3, 5],
       matrix: [
         [5, 0, 0, -4],

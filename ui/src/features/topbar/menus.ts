@@ -110,6 +110,13 @@ function viewing(): MenuItem[] {
       run: () => run("dimensions"),
     },
     {
+      kind: "item",
+      label: "Construction lines",
+      checked: useView.getState().constructionShown,
+      why: whyNot("construction-shown"),
+      run: () => run("construction-shown"),
+    },
+    {
       kind: "menu",
       label: "Theme",
       items: [themed("system", "As the system"), themed("dark", "Dark"), themed("light", "Light")],

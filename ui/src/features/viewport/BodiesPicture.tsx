@@ -1,6 +1,6 @@
 import { useEffect, useRef, useState } from "react";
-import type { BodiesView } from "../../scene/bodies_view";
-import type { BodiesListener, EditedMachine, Vec3 } from "../../scene/interface";
+import type { BodiesListener, BodiesView, EditedMachine } from "../../scene/bodies_view";
+import type { Vec3 } from "../../scene/interface";
 import { lengthFormat } from "../../shared/figures/format";
 import { shownTheme, systemTheme } from "../../state/window/theme";
 import { useUi } from "../../state/window/ui";

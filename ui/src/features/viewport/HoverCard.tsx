@@ -5,6 +5,7 @@ import { useLengths } from "../../shared/figures/unit";
 import { Mark } from "../../shared/lists/Mark";
 import { useDesign } from "../../state/design/design";
 import { distance } from "../../state/design/geometry";
+import { linesOf } from "../../state/design/lines";
 import { useByHand } from "../../state/machine/by_hand";
 import { usePlayback } from "../../state/program/program";
 import { useContextMenu } from "../../state/window/context_menu";
@@ -40,7 +41,7 @@ export function HoverCard() {
   const played = usePlayback(({ played }) => played !== null);
   const menu = useContextMenu(({ opened }) => opened !== null);
   const byHand = useByHand(({ played }) => played !== null);
-  const { vertices, edges, check } = useDesign();
+  const { vertices, edges, check, state } = useDesign();
   const { bare, name, length } = useLengths();
   const marks = useMemo(() => marksOf(check), [check]);
   if (!hovered || played || byHand || menu) return null;
@@ -72,6 +73,11 @@ export function HoverCard() {
     title = `Edge ${hovered.id} · ${length(distance(a.at, b.at))}`;
     sub = `vertex ${edge.a} to ${edge.b}${marks.doubled.has(hovered.id) ? " · doubled" : ""}`;
     verdict = marks.edges.get(hovered.id) ?? null;
+  } else if (hovered.kind === "line") {
+    const line = state && linesOf(state)[hovered.id];
+    if (!line) return null;
+    title = `Construction line ${hovered.id + 1} · ${length(distance(line[0], line[1]))}`;
+    sub = "never bent";
   } else {
     title = (measures ? MEASURED_NAMES[hovered.snap] : undefined) ?? SNAP_NAMES[hovered.snap];
     sub = at(hovered.at);

@@ -1,7 +1,8 @@
 import type { EditRequest } from "../../generated/requests";
-import type { Axis, Moved, SceneListener, Stroke, Vec3 } from "../../scene/interface";
+import type { ViewChange } from "../../generated/responses";
+import type { Moved, SceneListener, Stroke, Vec3 } from "../../scene/interface";
 import { checkDesign, edit, useDesign } from "../../state/design/design";
-import { rotate } from "../../state/design/operations";
+import { moveBy, rotate } from "../../state/design/operations";
 import { select } from "../../state/design/selection";
 import { settled } from "../../state/design/turns";
 import { placeStencil } from "../../state/parts/parts";
@@ -69,11 +70,13 @@ async function stroke(asked: Stroke): Promise<number | null> {
 /** What is done with what the view reports; `corner` is its own in the window, px. */
 export function listenerOf(corner: () => { readonly left: number; readonly top: number }): SceneListener {
   return {
-    selected: ({ vertices, edges }) => select(vertices, edges),
+    selected: ({ vertices, edges, lines }) => select(vertices, edges, lines),
     hovered: (hovered) => useView.setState({ hovered }),
     dragging: (moved) => checkDesign(moved),
-    dropped: (moved) => void dropped(moved),
-    turned: (vertices, axis, through, deg) => void turned(vertices, axis, through, deg),
+    dropped: (moved, lines, by) =>
+      void orShowWhatIsThere(lines.length > 0 ? together(moved, lines, by) : placed(moved)),
+    turned: (vertices, lines, axis, through, deg) =>
+      void orShowWhatIsThere(rotate(axis, through, deg, vertices, lines)),
     dragCancelled: () => checkDesign(),
     stencilMoved,
     stencilTurned: async (stencil, axis, angle_deg) =>
@@ -98,16 +101,21 @@ async function stencilMoved(id: number, by: Vec3): Promise<void> {
   await placeStencil(id, ({ shift_mm: [x, y, z] = [0, 0, 0] }) => ({ shift_mm: [x + by[0], y + by[1], z + by[2]] }));
 }
 
-async function dropped(moved: readonly Moved[]): Promise<void> {
-  const made = await edit({
+const placed = (moved: readonly Moved[]): Promise<ViewChange | null> =>
+  edit({
     edit: "place",
     positions: moved.map(({ vertex, at }) => ({ vertex, at_mm: [...at] as [number, number, number] })),
   });
-  if (!made) showWhatIsThere();
-}
 
-async function turned(vertices: readonly number[], axis: Axis, through: Vec3, deg: number): Promise<void> {
-  if (!(await rotate(axis, through, deg, vertices))) showWhatIsThere();
+const together = (moved: readonly Moved[], lines: readonly number[], by: Vec3): Promise<ViewChange | null> =>
+  moveBy(
+    by,
+    moved.map(({ vertex }) => vertex),
+    lines,
+  );
+
+async function orShowWhatIsThere(made: Promise<ViewChange | null>): Promise<void> {
+  if (!(await made)) showWhatIsThere();
 }
 
 function showWhatIsThere(): void {

@@ -4,6 +4,7 @@ import type { Viewport as Scene } from "../../scene/viewport";
 import { lengthFormat } from "../../shared/figures/format";
 import { useDesign } from "../../state/design/design";
 import { useExact } from "../../state/design/exact";
+import { lines } from "../../state/design/lines";
 import { useSelection } from "../../state/design/selection";
 import { useFiles } from "../../state/files/files";
 import { movedOf, usualScale } from "../../state/frame/figures";
@@ -19,7 +20,7 @@ import { shownSequence, useSequence } from "../../state/sequence/sequence";
 import { shownTheme, systemTheme } from "../../state/window/theme";
 import { useUi } from "../../state/window/ui";
 import { useUnits } from "../../state/window/units";
-import { drawnPlane, planeOfAll, useView } from "../../state/window/view";
+import { drawnPlane, planeOfAll, shownLines, useView } from "../../state/window/view";
 import { ballsOf, playedBallsOf } from "../check/spread";
 import { measureText } from "../check/texts";
 import { drawnFrame } from "../frame/struts";
@@ -68,7 +69,7 @@ export function show(scene: Scene): () => void {
     scene.setDimensions(
       isShownOnMachine() || isShownAsStruts()
         ? NO_DIMENSIONS
-        : dimensionsOf(useSelection.getState(), useDesign.getState(), all),
+        : dimensionsOf(useSelection.getState(), useDesign.getState(), lines(), all),
     );
   };
   // Whether a design was opened that has not been framed yet.
@@ -144,8 +145,7 @@ export function show(scene: Scene): () => void {
     const { chosenStencil: chosen, stencilsShown } = useView.getState();
     scene.setChosenStencil(stencilsShown ? chosenOf(state?.stencils ?? [], chosen) : null);
   };
-  const construction = () =>
-    scene.setConstruction(useDesign.getState().state?.construction_mm ?? [], useView.getState().pointedLine);
+  const construction = () => scene.setConstruction(shownLines());
   const theme = () => scene.setTheme(shownTheme(useUi.getState().theme));
   const system = systemTheme();
   system.addEventListener("change", theme);
@@ -162,8 +162,8 @@ export function show(scene: Scene): () => void {
       (design) => scene.setMarks({ ...marksOf(design.check), colours: coloursOf(design) }),
     ),
     follow(useDesign, ({ check, vertices, state }) => [check, vertices, state?.parts], labels),
-    follow(useDesign, ({ vertices, edges }) => [vertices, edges], dimensions),
-    follow(useSelection, ({ vertices, edges }) => [vertices, edges], dimensions),
+    follow(useDesign, ({ vertices, edges, state }) => [vertices, edges, state?.construction_mm], dimensions),
+    follow(useSelection, (selection) => [selection.vertices, selection.edges, selection.lines], dimensions),
     follow(useView, (view) => [view.dimensions, view.measuring], dimensions),
     follow(useExact, (exact) => [exact.end, exact.side], dimensions),
     follow(
@@ -173,13 +173,13 @@ export function show(scene: Scene): () => void {
     ),
     follow(
       useSelection,
-      ({ vertices, edges }) => [vertices, edges],
+      (selection) => [selection.vertices, selection.edges, selection.lines],
       (selection) => scene.setSelection(selection),
     ),
     follow(
       useSelection,
       ({ highlight }) => [highlight],
-      ({ highlight }) => scene.setHighlight(highlight.vertices, highlight.edges),
+      ({ highlight }) => scene.setHighlight(highlight),
     ),
     follow(
       useView,
@@ -207,7 +207,7 @@ export function show(scene: Scene): () => void {
       },
     ),
     follow(useDesign, ({ state }) => [state?.construction_mm], construction),
-    follow(useView, (view) => [view.pointedLine], construction),
+    follow(useView, (view) => [view.constructionShown], construction),
     follow(useDesign, ({ state }) => [state?.stencils], chosenStencil),
     follow(useView, (view) => [view.chosenStencil, view.stencilsShown], chosenStencil),
     follow(

@@ -6,7 +6,7 @@ import { paint, shared } from "../drawing/shading";
 import { Symbols } from "../drawing/symbols";
 import { THEMES, type Theme } from "../drawing/theme";
 import { GUIDE_STYLE, type Guide, Tubes } from "../drawing/tubes";
-import type { EditedMachine, LengthFormat, MachineBody, Tool, Vec3 } from "../interface";
+import type { LengthFormat, MachineBody, Tool, Vec3 } from "../interface";
 import { Backdrop } from "../layers/backdrop";
 import { Gizmo } from "../layers/gizmo";
 import { facing, Grid } from "../layers/grid";
@@ -17,6 +17,7 @@ import { ballAround, ORIGIN } from "../vec";
 import { Camera } from "../view/camera";
 import { axes, framedAspect, framing, pixelAtTarget } from "../view/orbit";
 import type { Projection } from "../view/projection";
+import type { EditedMachine } from "./interface";
 
 /** mm of wire behind the bend point and before it: so that the side is seen to which it leaves. */
 const WIRE: readonly [Vec3, Vec3] = [

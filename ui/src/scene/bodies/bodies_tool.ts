@@ -1,6 +1,6 @@
 /** Choosing and moving bodies of a machine: clicks, the gizmo, and a move that is begun with a key. */
 
-import type { Axis, BodiesListener, Vec3 } from "../interface";
+import type { Axis, Vec3 } from "../interface";
 import type { Overlay } from "../layers/overlay";
 import { handleAt, type MoveHandle } from "../tools/gizmo_parts";
 import { Grab, type Surroundings } from "../tools/grab";
@@ -8,6 +8,7 @@ import { FREE } from "../tools/move";
 import type { Place, ToolHandler } from "../tools/pointer";
 import { AXES, along, distance } from "../vec";
 import type { BodiesStage } from "./bodies_stage";
+import type { BodiesListener } from "./interface";
 
 const NAMES: readonly Axis[] = ["x", "y", "z"];
 /** Where a body comes to lie has no more digits than a caliper shows, mm. */

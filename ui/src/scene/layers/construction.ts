@@ -1,27 +1,61 @@
 /** Construction lines: to measure and to snap to, never bent. */
 
+import type { Sign } from "../drawing/symbols";
 import type { Theme } from "../drawing/theme";
-import type { Guide } from "../drawing/tubes";
+import type { Guide, TubeLook } from "../drawing/tubes";
+import type { Selection, Vec3 } from "../interface";
 import type { Line } from "../picking/snap";
+import type { Held } from "./chosen";
+
+/** Which of the lines are marked, and how. */
+interface Marked {
+  readonly selection: Selection;
+  readonly hovered: Selection;
+  readonly highlight: Selection;
+}
+
+/** Factor on the width of a line that is selected. */
+const WIDE = 2;
 
 export class Construction {
-  /** Each by its two ends, mm. */
+  /** Each by its two ends where the design has them, mm. */
   all: readonly Line[] = [];
-  /** The place in the list of the one that is pointed at elsewhere. */
-  private pointed: number | null = null;
+  /** Where the selected ones are while they are in the hand; null where the design has them. */
+  held: Held | null = null;
 
   /** Whether anything is other than before. */
-  show(lines: readonly Line[], pointed: number | null): boolean {
-    if (pointed === this.pointed && JSON.stringify(lines) === JSON.stringify(this.all)) return false;
+  show(lines: readonly Line[]): boolean {
+    if (JSON.stringify(lines) === JSON.stringify(this.all)) return false;
     this.all = lines;
-    this.pointed = pointed;
     return true;
   }
 
-  lines(theme: Theme): Guide[] {
-    return this.all.map(([from, to], index) => {
-      const colour = index === this.pointed ? theme.selected : theme.stencil;
-      return { from, to, look: { colour } };
+  /** The ends of those that are selected, where they are shown. */
+  endsOf({ lines }: Selection): Vec3[] {
+    return [...lines].flatMap((place) => this.all[place] ?? []).map((end) => this.held?.(end) ?? end);
+  }
+
+  /** Those that stay where they are when a selection moves. */
+  without({ lines }: Selection): readonly Line[] {
+    return lines.size === 0 ? this.all : this.all.filter((_, place) => !lines.has(place));
+  }
+
+  lines(theme: Theme, marked: Marked): Guide[] {
+    return this.all.map(([from, to], place) => {
+      const goes = (marked.selection.lines.has(place) && this.held) || ((end: Vec3) => end);
+      return { from: goes(from), to: goes(to), look: lookOf(place, theme, marked) };
     });
   }
+
+  /** The ends of lines that are selected. */
+  signs(theme: Theme, { selection }: Marked): Sign[] {
+    return this.endsOf(selection).map((at) => ({ at, shape: "dot", colour: theme.selected, radius: 5 }));
+  }
+}
+
+function lookOf(place: number, theme: Theme, { selection, hovered, highlight }: Marked): TubeLook {
+  if (selection.lines.has(place)) return { colour: theme.selected, width: WIDE };
+  if (hovered.lines.has(place)) return { colour: theme.hovered, width: WIDE };
+  if (highlight.lines.has(place)) return { colour: theme.acted, width: WIDE };
+  return { colour: theme.stencil };
 }

@@ -1,12 +1,12 @@
 /** The design as it is drawn: rows for quick drawing and picking, with places that a drag has not yet handed over. */
 
-import type { Moved, SceneDesign, SceneEdge, SceneVertex, Selection, Vec3 } from "../interface";
+import type { Moved, SceneDesign, SceneEdge, SceneVertex, Selection, Vec3, WireSelection } from "../interface";
 import { distance, ORIGIN } from "../vec";
 
 /** What has to be drawn again. */
 export type Change = { readonly rows: "all" } | { readonly rows: readonly number[] };
 
-export const NOTHING_SELECTED: Selection = { vertices: new Set(), edges: new Set() };
+export const NOTHING_SELECTED: Selection = { vertices: new Set(), edges: new Set(), lines: new Set() };
 
 /** mm between vertices that are at the same place. */
 const SAME = 1e-6;
@@ -87,7 +87,7 @@ export class DrawnDesign {
   }
 
   /** Vertices that move with a selection: its own and the ends of its edges. */
-  moving(selection: Selection): Set<number> {
+  moving(selection: WireSelection): Set<number> {
     const moving = new Set([...selection.vertices].filter((id) => this.vertexRows.has(id)));
     for (const id of selection.edges) {
       const edge = this.edges[this.edgeRows.get(id) ?? -1];
@@ -97,13 +97,13 @@ export class DrawnDesign {
   }
 
   /** The same, each with where it is. */
-  placesOf(selection: Selection): Map<number, Vec3> {
+  placesOf(selection: WireSelection): Map<number, Vec3> {
     const places = [...this.moving(selection)].map((id) => [id, this.place(id)] as const);
     return new Map(places.filter((each): each is readonly [number, Vec3] => each[1] !== null));
   }
 
   /** Everything that hangs together with a vertex. */
-  connected(vertex: number): Selection {
+  connected(vertex: number): WireSelection {
     const vertices = new Set<number>();
     const edges = new Set<number>();
     const open = [vertex];

@@ -1,8 +1,7 @@
 /** Selecting by a box on the screen: what lies in it (drawn to the right), or what it touches (drawn to the left). */
 
-import type { Selection } from "../interface";
-import type { DrawnDesign } from "../layers/drawn_design";
-import type { Projection } from "../view/projection";
+import type { Selection, Vec3 } from "../interface";
+import type { Pickable } from "./picking";
 
 /** From where the button was pressed to where the pointer is, CSS pixels. */
 export interface Box {
@@ -16,25 +15,30 @@ export type Combine = "replace" | "add" | "toggle";
 
 export const touching = (box: Box): boolean => box.x1 < box.x0;
 
-export function inBox(design: DrawnDesign, projection: Projection, box: Box): Selection {
+export function inBox({ design, projection, lines: drawn }: Pickable, box: Box): Selection {
   const [left, right] = [Math.min(box.x0, box.x1), Math.max(box.x0, box.x1)];
   const [top, bottom] = [Math.min(box.y0, box.y1), Math.max(box.y0, box.y1)];
   const within = (x: number, y: number): boolean => x >= left && x <= right && y >= top && y <= bottom;
-  const inside = design.at.map((at) => {
+  const isIn = (at: Vec3): boolean => {
     const seen = projection.seen(at);
     return projection.sees(seen) && within(seen.x, seen.y);
-  });
+  };
+  const inside = design.at.map(isIn);
   const vertices = new Set(design.vertices.filter((_, row) => inside[row]).map((vertex) => vertex.id));
   const touches = touching(box);
+  const takes = (a: boolean | undefined, b: boolean | undefined, segment: readonly [Vec3, Vec3]): boolean => {
+    if (a && b) return true;
+    if (!touches) return false;
+    if (a || b) return true;
+    const seen = projection.segment(...segment);
+    return seen !== null && crosses(seen.a.x, seen.a.y, seen.b.x, seen.b.y, left, top, right, bottom);
+  };
   const edges = design.edges.filter((_, row) => {
     const [a, b] = design.ends[row] ?? [0, 0];
-    if (inside[a] && inside[b]) return true;
-    if (!touches) return false;
-    if (inside[a] || inside[b]) return true;
-    const seen = projection.segment(...design.segment(row));
-    return seen !== null && crosses(seen.a.x, seen.a.y, seen.b.x, seen.b.y, left, top, right, bottom);
+    return takes(inside[a], inside[b], design.segment(row));
   });
-  return { vertices, edges: new Set(edges.map((edge) => edge.id)) };
+  const lines = drawn.flatMap((line, place) => (takes(isIn(line[0]), isIn(line[1]), line) ? [place] : []));
+  return { vertices, edges: new Set(edges.map((edge) => edge.id)), lines: new Set(lines) };
 }
 
 export function combine(before: Selection, found: Selection, how: Combine): Selection {
@@ -44,7 +48,11 @@ export function combine(before: Selection, found: Selection, how: Combine): Sele
     if (how === "toggle") for (const id of a) if (b.has(id)) both.delete(id);
     return both;
   };
-  return { vertices: join(before.vertices, found.vertices), edges: join(before.edges, found.edges) };
+  return {
+    vertices: join(before.vertices, found.vertices),
+    edges: join(before.edges, found.edges),
+    lines: join(before.lines, found.lines),
+  };
 }
 
 /** Whether a line has a part in a rectangle (Liang and Barsky's way of cutting a line off at the sides). */

@@ -19,6 +19,17 @@ const design = drawn(
   ),
 );
 
+const view = {
+  design,
+  projection: front,
+  lines: [
+    [
+      [0, 0, -10],
+      [100, 0, -10],
+    ],
+  ] as const,
+};
+
 it("takes a vertex within reach, and nothing beyond it", () => {
   expect(pickVertex(design, front, 508, 300, 10)?.id).toBe(1);
   expect(pickVertex(design, front, 511, 300, 10)).toBeNull();
@@ -30,13 +41,21 @@ it("takes the one in front of two that a hand cannot tell apart, also from behin
 });
 
 it("takes a vertex before an edge that runs through the same place", () => {
-  expect(pick(design, front, 495, 301, false)?.kind).toBe("vertex");
-  expect(pick(design, front, 470, 303, false)).toMatchObject({ kind: "edge", id: 0 });
-  expect(pick(design, front, 470, 320, false)).toBeNull();
+  expect(pick(view, 495, 301, false)?.kind).toBe("vertex");
+  expect(pick(view, 470, 303, false)).toMatchObject({ kind: "edge", id: 0 });
+  expect(pick(view, 470, 320, false)).toBeNull();
+});
+
+it("takes a construction line where no edge is as near", () => {
+  // The edge is 300 pixels from above, the line 310.
+  expect(pick(view, 450, 309, false)).toMatchObject({ kind: "line", id: 0, at: [50, 0, -10] });
+  expect(pick(view, 450, 306, false)).toMatchObject({ kind: "line" });
+  expect(pick(view, 450, 305, false)).toMatchObject({ kind: "edge", id: 0 });
+  expect(pick(view, 450, 318, false)).toBeNull();
 });
 
 it("reaches farther for a finger", () => {
-  expect(pick(design, front, 470, 320, true)).toMatchObject({ kind: "edge", id: 0 });
+  expect(pick({ ...view, lines: [] }, 470, 320, true)).toMatchObject({ kind: "edge", id: 0 });
 });
 
 it("says where on the edge", () => {

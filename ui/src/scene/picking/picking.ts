@@ -18,7 +18,14 @@ export interface PickedEdge {
   readonly at: Vec3;
 }
 
-export type Picked = PickedVertex | PickedEdge;
+/** A construction line, by its place in the list. */
+interface PickedLine {
+  readonly kind: "line";
+  readonly id: number;
+  readonly at: Vec3;
+}
+
+export type Picked = PickedVertex | PickedEdge | PickedLine;
 
 /** CSS pixels. A finger needs more. */
 const REACH = { vertex: 10, edge: 7, touch: 22 } as const;
@@ -81,10 +88,38 @@ export function pickEdge(
   return best && { kind: "edge", id: best.id, along: best.along, at: best.at };
 }
 
-/** A vertex before an edge: it is smaller, and edges end in it. */
-export function pick(design: DrawnDesign, projection: Projection, x: number, y: number, touch: boolean): Picked | null {
+/** What there is to be clicked on. */
+export interface Pickable {
+  readonly design: DrawnDesign;
+  readonly projection: Projection;
+  /** Construction lines by their two ends. */
+  readonly lines: readonly (readonly [Vec3, Vec3])[];
+}
+
+/** A vertex before an edge: it is smaller, and edges end in it. An edge before a construction line that is about as near. */
+export function pick({ design, projection, lines }: Pickable, x: number, y: number, touch: boolean): Picked | null {
   const reach = touch ? { vertex: REACH.touch, edge: REACH.touch } : REACH;
-  return pickVertex(design, projection, x, y, reach.vertex) ?? pickEdge(design, projection, x, y, reach.edge);
+  const vertex = pickVertex(design, projection, x, y, reach.vertex);
+  if (vertex) return vertex;
+  const edge = pickEdge(design, projection, x, y, reach.edge);
+  const line = pickLine(lines, projection, x, y, reach.edge);
+  if (!line || !edge) return edge ?? line;
+  const seen = projection.seen(edge.at);
+  return Math.hypot(seen.x - x, seen.y - y) <= line.off + AS_NEAR ? edge : line;
+}
+
+function pickLine(
+  lines: Pickable["lines"],
+  projection: Projection,
+  x: number,
+  y: number,
+  reach: number,
+): (Candidate & PickedLine) | null {
+  const found = lines.flatMap(([a, b], id) => {
+    const near = nearOnSegment(projection, a, b, x, y);
+    return near && near.off <= reach ? [{ kind: "line" as const, id, ...near }] : [];
+  });
+  return nearest(found);
 }
 
 /** The place of a segment that is nearest to the pointer on the screen; null where all of it is behind the eye. */

@@ -30,15 +30,12 @@ beforeEach(() => {
       [[0, 1]],
     ),
   );
-  stage.setConstruction(
+  stage.setConstruction([
     [
-      [
-        [-100, 20, -100],
-        [100, 20, -100],
-      ],
+      [-100, 20, -100],
+      [100, 20, -100],
     ],
-    null,
-  );
+  ]);
   // A triangle that stands to the right.
   stage.setStencils([
     {

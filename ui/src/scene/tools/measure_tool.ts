@@ -66,7 +66,7 @@ export class MeasureTool extends ClickTool {
       design: stage.design,
       projection: stage.projection,
       stencil: stage.stencils.empty ? null : stage.stencils.bare,
-      construction: stage.construction.all,
+      construction: stage.pickable.lines,
       plane: null,
       without: NOTHING,
     };

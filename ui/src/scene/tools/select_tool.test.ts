@@ -1,6 +1,7 @@
 // @vitest-environment happy-dom
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { SceneDesign, SceneListener, Vec3 } from "../interface";
+import { NOTHING_SELECTED } from "../layers/drawn_design";
 import { Overlay } from "../layers/overlay";
 import { Stage } from "../stage";
 import { designOf, given, MM } from "../testing";
@@ -39,7 +40,7 @@ beforeEach(() => {
   [stage.camera.width, stage.camera.height] = [800, 600];
   tool = new SelectTool(stage, listener as unknown as SceneListener, overlay);
   give(designOf(AT, ENDS));
-  stage.select({ vertices: new Set([1]), edges: new Set() });
+  stage.select({ vertices: new Set([1]), edges: new Set(), lines: new Set() });
   tool.startGrab();
 });
 
@@ -68,7 +69,7 @@ describe("while something is moved", () => {
 
   it("its own keys still count: along z, by 12 mm", () => {
     for (const key of ["z", "1", "2", "Enter"]) expect(press(key)).toBe(true);
-    expect(listener.dropped).toHaveBeenCalledWith([{ vertex: 1, at: [30, 0, 12] }]);
+    expect(listener.dropped).toHaveBeenCalledWith([{ vertex: 1, at: [30, 0, 12] }], [], [0, 0, 12]);
   });
 
   it("takes no key when nothing is in the hand", () => {
@@ -112,7 +113,7 @@ describe("a right click", () => {
     tool.cancel();
     tool.context(at(2));
     expect([...stage.selected.selection.vertices]).toEqual([2]);
-    stage.select({ vertices: new Set([0, 2]), edges: new Set() });
+    stage.select({ vertices: new Set([0, 2]), edges: new Set(), lines: new Set() });
     tool.context(at(0));
     expect([...stage.selected.selection.vertices]).toEqual([0, 2]);
     expect(listener.menu).toHaveBeenCalledTimes(2);
@@ -135,7 +136,7 @@ describe("an arc of the gizmo", () => {
     for (const heard of Object.values(listener)) heard.mockReset();
     stage.camera.orbit = looking(stage.camera.orbit, "top");
     stage.viewMoved();
-    stage.select({ vertices: new Set([0, 1]), edges: new Set() });
+    stage.select({ vertices: new Set([0, 1]), edges: new Set(), lines: new Set() });
   });
 
   it("turns the selection about its middle, and tells how far when it is let go", () => {
@@ -147,7 +148,7 @@ describe("an arc of the gizmo", () => {
       [60, 0, 0],
     ]);
     tool.release(beside(-diagonal, diagonal), true);
-    expect(listener.turned).toHaveBeenCalledExactlyOnceWith([0, 1], "z", [15, 0, 0], 90);
+    expect(listener.turned).toHaveBeenCalledExactlyOnceWith([0, 1], [], "z", [15, 0, 0], 90);
     expect(listener.dropped).not.toHaveBeenCalled();
   });
 
@@ -178,7 +179,7 @@ describe("an arc of the gizmo", () => {
     for (const key of ["3", "0", "Enter"]) press(key);
     tool.drag(beside(-diagonal, -diagonal));
     tool.release(beside(-diagonal, -diagonal), true);
-    expect(listener.turned).toHaveBeenCalledExactlyOnceWith([0, 1], "z", [15, 0, 0], 30);
+    expect(listener.turned).toHaveBeenCalledExactlyOnceWith([0, 1], [], "z", [15, 0, 0], 30);
   });
 
   it("makes no edit of a whole turn", () => {
@@ -203,7 +204,7 @@ describe("an arc of the gizmo", () => {
   });
 
   it("is not there for a single vertex, which it would not move", () => {
-    stage.select({ vertices: new Set([1]), edges: new Set() });
+    stage.select({ vertices: new Set([1]), edges: new Set(), lines: new Set() });
     expect(stage.turnsAt).toBeNull();
   });
 
@@ -216,7 +217,7 @@ describe("an arc of the gizmo", () => {
     ];
     let isSo = (): void => {};
     listener.stencilTurned.mockReturnValue(new Promise((resolve) => (isSo = resolve)));
-    stage.select({ vertices: new Set(), edges: new Set() });
+    stage.select({ vertices: new Set(), edges: new Set(), lines: new Set() });
     stage.chooseStencil({ id: 7, middle: [20, 10, 0], box });
     const held = vi.spyOn(stage, "holdStencil");
     tool.press(beside(diagonal, diagonal));
@@ -233,5 +234,86 @@ describe("an arc of the gizmo", () => {
     expect(held.mock.lastCall).not.toEqual([null]);
     isSo();
     await vi.waitFor(() => expect(held.mock.lastCall).toEqual([null]));
+  });
+});
+
+describe("construction lines", () => {
+  /** Above the vertices, and one that crosses it. */
+  const LINES = [
+    [
+      [0, 0, 40],
+      [60, 0, 40],
+    ],
+    [
+      [50, 0, 30],
+      [50, 0, 80],
+    ],
+  ] as const;
+  const at = (place: Vec3) => ({ ...stage.projection.seen(place), shift: false, ctrl: false, touch: false });
+  const shown = (owner: number) => stage.construction.endsOf({ ...NOTHING_SELECTED, lines: new Set([owner]) });
+
+  beforeEach(() => {
+    tool.cancel();
+    for (const heard of Object.values(listener)) heard.mockReset();
+    stage.camera.orbit = looking(stage.camera.orbit, "front");
+    stage.viewMoved();
+    stage.setConstruction(LINES);
+    stage.select(NOTHING_SELECTED);
+  });
+
+  const click = (place: Vec3, rest = {}) => {
+    tool.press({ ...at(place), ...rest });
+    tool.release({ ...at(place), ...rest }, false);
+  };
+
+  it("are chosen by a click, and with Shift beside what is selected", () => {
+    click([20, 0, 40]);
+    expect(listener.selected).toHaveBeenLastCalledWith({ ...NOTHING_SELECTED, lines: new Set([0]) });
+    click([50, 0, 70], { shift: true });
+    click([30, 0, 0], { shift: true });
+    expect(stage.selected.selection).toEqual({
+      vertices: new Set([1]),
+      edges: new Set(),
+      lines: new Set([0, 1]),
+    });
+  });
+
+  it("are told when the pointer is on one", () => {
+    tool.hover(at([20, 0, 40]));
+    expect(listener.hovered).toHaveBeenLastCalledWith(expect.objectContaining({ kind: "line", id: 0 }));
+  });
+
+  it("go along with vertices by a typed distance, and are told together", () => {
+    stage.select({ vertices: new Set([2]), edges: new Set(), lines: new Set([1]) });
+    tool.startGrab();
+    for (const key of ["z", "1", "2"]) press(key);
+    expect(shown(1)).toEqual([
+      [50, 0, 42],
+      [50, 0, 92],
+    ]);
+    press("Enter");
+    expect(listener.dropped).toHaveBeenCalledWith([{ vertex: 2, at: [60, 0, 12] }], [1], [0, 0, 12]);
+    // They stay there until the design has them.
+    expect(shown(1)[0]).toEqual([50, 0, 42]);
+    stage.setConstruction(LINES);
+    expect(shown(1)[0]).toEqual([50, 0, 30]);
+  });
+
+  it("alone are moved and turned without asking for checks of the wire", () => {
+    stage.select({ ...NOTHING_SELECTED, lines: new Set([0]) });
+    tool.startGrab();
+    for (const key of ["x", "5", "Enter"]) press(key);
+    expect(listener.dropped).toHaveBeenCalledWith([], [0], [5, 0, 0]);
+    expect(listener.dragging).not.toHaveBeenCalled();
+    expect(stage.turnsAt).toEqual([35, 0, 40]);
+  });
+
+  it("are let go where the list is another one", () => {
+    stage.select({ ...NOTHING_SELECTED, lines: new Set([1]) });
+    tool.startGrab();
+    for (const key of ["x", "5"]) press(key);
+    stage.setConstruction([LINES[1]]);
+    tool.linesChanged();
+    expect([tool.grab, listener.dropped.mock.calls.length]).toEqual([null, 0]);
   });
 });

@@ -2,6 +2,7 @@
 
 import { type Sign, SNAP_SHAPES } from "../drawing/symbols";
 import type { Axis, SceneListener, Selection, SnapKind, Vec3 } from "../interface";
+import { NOTHING_SELECTED } from "../layers/drawn_design";
 import type { Overlay } from "../layers/overlay";
 import { type Box, type Combine, combine, inBox, touching } from "../picking/box_select";
 import { type Picked, pick } from "../picking/picking";
@@ -14,7 +15,6 @@ import { FREE } from "./move";
 import type { Place, ToolHandler } from "./pointer";
 import { Turn } from "./turn";
 
-const NOTHING: Selection = { vertices: new Set(), edges: new Set() };
 /** mm that a place may differ by on its way to the design and back. */
 const SAME = 1e-6;
 const NAMES: readonly Axis[] = ["x", "y", "z"];
@@ -44,7 +44,7 @@ export class SelectTool implements ToolHandler {
     const { stage } = this;
     const handle = at && this.handleAt(at);
     stage.activate(handle);
-    const picked = at && !handle && !stage.playing ? pick(stage.design, stage.projection, at.x, at.y, at.touch) : null;
+    const picked = at && !handle && !stage.playing ? pick(stage.pickable, at.x, at.y, at.touch) : null;
     this.overlay.cursor(handle || picked ? "pointer" : "default");
     this.tellHovered(picked);
   }
@@ -54,7 +54,7 @@ export class SelectTool implements ToolHandler {
     const { stage } = this;
     if (this.grab || stage.playing) return;
     const handle = this.handleAt(at);
-    this.pressed = { at, handle, picked: handle ? null : pick(stage.design, stage.projection, at.x, at.y, at.touch) };
+    this.pressed = { at, handle, picked: handle ? null : pick(stage.pickable, at.x, at.y, at.touch) };
   }
 
   drag(at: Place): void {
@@ -84,9 +84,9 @@ export class SelectTool implements ToolHandler {
       this.drop();
     } else if (box) {
       this.endBox();
-      this.choose(inBox(stage.design, stage.projection, { ...box, x1: at.x, y1: at.y }), at);
+      this.choose(inBox(stage.pickable, { ...box, x1: at.x, y1: at.y }), at);
     } else if (pressed && !dragged && !pressed.handle) {
-      const found = pressed.picked ? only(pressed.picked) : NOTHING;
+      const found = pressed.picked ? only(pressed.picked) : NOTHING_SELECTED;
       // A click beside everything with a key held is a slip, not a wish to lose the selection.
       if (pressed.picked || (!at.shift && !at.ctrl)) this.choose(found, at);
     }
@@ -94,17 +94,18 @@ export class SelectTool implements ToolHandler {
 
   double(at: Place): void {
     const { stage } = this;
-    const picked = stage.playing ? null : pick(stage.design, stage.projection, at.x, at.y, at.touch);
-    if (!picked) return;
+    const picked = stage.playing ? null : pick(stage.pickable, at.x, at.y, at.touch);
+    if (!picked || picked.kind === "line") return;
     const vertex = picked.kind === "vertex" ? picked.id : stage.design.edges[stage.design.edgeRow(picked.id) ?? -1]?.a;
-    if (vertex !== undefined) this.choose(stage.design.connected(vertex), { ...at, ctrl: false });
+    if (vertex === undefined) return;
+    this.choose({ ...NOTHING_SELECTED, ...stage.design.connected(vertex) }, { ...at, ctrl: false });
   }
 
   /** What is moved is given up; else what is there is chosen, where it is not part of the selection, and its menu shown. */
   context(at: Place): void {
     if (this.cancel()) return;
     const { stage } = this;
-    const picked = stage.playing ? null : pick(stage.design, stage.projection, at.x, at.y, at.touch);
+    const picked = stage.playing ? null : pick(stage.pickable, at.x, at.y, at.touch);
     if (picked && !this.isSelected(picked)) this.choose(only(picked), { ...at, shift: false, ctrl: false });
     this.listener.menu({ x: at.x, y: at.y });
   }
@@ -159,8 +160,18 @@ export class SelectTool implements ToolHandler {
       const at = stage.design.place(id);
       return at !== null && distance(at, from) < SAME;
     });
-    if (stays) stage.move(grab.moved);
+    if (stays) this.showHeld(grab);
     else this.cancel();
+  }
+
+  /** The places of construction lines are other ones: they would name others in the hand. */
+  linesChanged(): void {
+    if (this.lines.length > 0) this.cancel();
+  }
+
+  /** Of construction lines that are in the hand. */
+  private get lines(): readonly number[] {
+    return this.grab && this.stencil === null ? [...this.stage.selected.selection.lines] : [];
   }
 
   /** Gives up a drag or a box; whether there was one. */
@@ -179,17 +190,18 @@ export class SelectTool implements ToolHandler {
   /** Everything is shown where the design has it. */
   private giveUp(): void {
     this.stage.holdStencil(null);
+    this.stage.holdLines(null);
     this.stage.move([]);
     this.listener.dragCancelled();
   }
 
   private handleAt({ x, y, touch }: Place): Handle | null {
-    const { design, gizmoAt, turnsAt, projection } = this.stage;
+    const { pickable, gizmoAt, turnsAt, projection } = this.stage;
     const moves = gizmoAt && handleAt(projection, gizmoAt, x, y);
     if (moves) return moves;
     const turns = turnsAt && turnAt(projection, turnsAt, x, y);
     // An arc is long enough to be taken beside a vertex that lies on it.
-    return turns && pick(design, projection, x, y, touch)?.kind === "vertex" ? null : turns;
+    return turns && pick(pickable, x, y, touch)?.kind === "vertex" ? null : turns;
   }
 
   private beginTurn(at: Place, axis: Axis): void {
@@ -210,12 +222,13 @@ export class SelectTool implements ToolHandler {
     const chosen = stage.stencilInHand;
     this.stencil = chosen?.id ?? null;
     const from = chosen ? new Map([[chosen.id, chosen.middle] as const]) : design.placesOf(stage.selected.selection);
-    // The vertex nearest to where the drag began is the one that snaps.
+    // The vertex, or end of a line, nearest to where the drag began is the one that snaps.
     const off = (place: Vec3): number => {
       const seen = projection.seen(place);
       return Math.hypot(seen.x - at.x, seen.y - at.y);
     };
-    const near = [...from.values()].toSorted((a, b) =>
+    const ends = chosen ? [] : stage.construction.endsOf(stage.selected.selection);
+    const near = [...from.values(), ...ends].toSorted((a, b) =>
       anchor ? distance(a, anchor) - distance(b, anchor) : off(a) - off(b),
     )[0];
     if (!near) return;
@@ -244,9 +257,14 @@ export class SelectTool implements ToolHandler {
   private show(grab: Grab | Turn): void {
     if (this.stencil !== null) this.stage.holdStencil((place) => grab.goes(place));
     else {
-      this.stage.move(grab.moved);
-      this.listener.dragging(grab.moved);
+      this.showHeld(grab);
+      if (grab.from.size > 0) this.listener.dragging(grab.moved);
     }
+  }
+
+  private showHeld(grab: Grab | Turn): void {
+    this.stage.move(grab.moved);
+    this.stage.holdLines((place) => grab.goes(place));
   }
 
   /** The line of an axis through a place, with signs. */
@@ -281,7 +299,9 @@ export class SelectTool implements ToolHandler {
     const without = { vertices: new Set(moving), edges: new Set<number>() };
     // A stencil that is moved would snap to itself.
     const stencil = stage.stencils.empty || this.stencil !== null ? null : stage.stencils;
-    const construction = stage.construction.all;
+    const construction = stage.construction.without(
+      this.stencil === null ? stage.selected.selection : NOTHING_SELECTED,
+    );
     const show = (kind: SnapKind, at: Vec3): void =>
       void signs.push({ at, shape: SNAP_SHAPES[kind], colour: stage.theme.acted, radius: 8 });
     return {
@@ -311,7 +331,7 @@ export class SelectTool implements ToolHandler {
     this.follow();
     // Enter may come while the button is still held: what it holds is not taken up once more.
     this.pressed = null;
-    const { stencil } = this;
+    const { stencil, lines } = this;
     this.end();
     if (grab instanceof Turn && grab.deg % 360 === 0) this.giveUp();
     else if (stencil !== null) {
@@ -323,8 +343,8 @@ export class SelectTool implements ToolHandler {
       // It may be in the hand again by then.
       void placed.finally(() => this.stencil === null && this.stage.holdStencil(null));
     } else if (grab instanceof Turn) {
-      this.listener.turned([...grab.from.keys()], grab.axis, grab.centre, grab.deg);
-    } else if (length(grab.by) > 0) this.listener.dropped(grab.moved);
+      this.listener.turned([...grab.from.keys()], lines, grab.axis, grab.centre, grab.deg);
+    } else if (length(grab.by) > 0) this.listener.dropped(grab.moved, lines, grab.by);
     else this.listener.dragCancelled();
   }
 
@@ -350,22 +370,22 @@ export class SelectTool implements ToolHandler {
   }
 
   private isSelected({ kind, id }: Picked): boolean {
-    const { selection } = this.stage.selected;
-    return (kind === "vertex" ? selection.vertices : selection.edges).has(id);
+    return this.stage.selected.selection[LISTS[kind]].has(id);
   }
 
   private tellHovered(picked: Picked | null): void {
     const key = picked ? `${picked.kind} ${picked.id}` : "";
     if (key === this.hovered) return;
     this.hovered = key;
-    this.stage.hover(picked ? only(picked) : NOTHING);
+    this.stage.point("hovered", picked ? only(picked) : NOTHING_SELECTED);
     const seen = picked && this.stage.projection.seen(picked.at);
     this.listener.hovered(picked && seen ? { kind: picked.kind, id: picked.id, x: seen.x, y: seen.y } : null);
   }
 }
 
+/** Where a selection has what was picked. */
+const LISTS = { vertex: "vertices", edge: "edges", line: "lines" } as const;
+
 function only({ kind, id }: Picked): Selection {
-  return kind === "vertex"
-    ? { vertices: new Set([id]), edges: new Set() }
-    : { vertices: new Set(), edges: new Set([id]) };
+  return { ...NOTHING_SELECTED, [LISTS[kind]]: new Set([id]) };
 }

@@ -161,7 +161,7 @@ export class TraceTool extends ClickTool {
       design: stage.design,
       projection: stage.projection,
       stencil: drawing || stage.stencils.empty ? null : stage.stencils,
-      construction: stage.construction.all,
+      construction: stage.pickable.lines,
       plane: stage.plane,
       without,
     };

@@ -1,7 +1,7 @@
 /** What of the selection has a length or an angle that can be typed, and what stays where it is when one is. */
 
 import { create } from "zustand";
-import type { SceneDesign, Selection } from "../../scene/interface";
+import type { SceneDesign, WireSelection } from "../../scene/interface";
 import { drawnPlane, normalOf, useView } from "../window/view";
 import { edit, useDesign } from "./design";
 import { angleAt, distance } from "./geometry";
@@ -34,7 +34,7 @@ export interface ExactCorner {
 }
 
 /** The one edge of a selection; a sentence where there is not just one. */
-export function edgeOf(selection: Selection, design: SceneDesign): ExactEdge | string {
+export function edgeOf(selection: WireSelection, design: SceneDesign): ExactEdge | string {
   const none = "Select one edge";
   const [id, ...others] = edgesOf(selection, design);
   const edge = id === undefined || others.length > 0 ? undefined : design.edges.get(id);
@@ -44,7 +44,7 @@ export function edgeOf(selection: Selection, design: SceneDesign): ExactEdge | s
 }
 
 /** The corner of a selection: a vertex with two edges, or two edges that meet; a sentence where it has none. */
-export function cornerOf(selection: Selection, design: SceneDesign): ExactCorner | string {
+export function cornerOf(selection: WireSelection, design: SceneDesign): ExactCorner | string {
   const vertices = verticesOf(selection, design);
   const [vertex] = vertices;
   if (vertices.length === 1 && vertex !== undefined) {

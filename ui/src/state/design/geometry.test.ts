@@ -55,13 +55,13 @@ describe("matrices of edits", () => {
 
 describe("measures", () => {
   it("finds size and middle", () => {
-    expect(boundsOf([0, 1, 2], design)).toEqual({
+    expect(boundsOf([...design.vertices.values()].map(({ at }) => at))).toEqual({
       low: [0, 0, -10],
       high: [30, 40, 0],
       size: [30, 40, 10],
       centre: [15, 20, -5],
     });
-    expect(boundsOf([], design)).toBeNull();
+    expect(boundsOf([])).toBeNull();
   });
 
   it("adds lengths: 3-4-5, and 10", () => {

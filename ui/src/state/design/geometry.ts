@@ -101,16 +101,19 @@ export function rotation(axis: Axis, deg: number, through: Vec3, along = 0): Mat
   return matrix;
 }
 
-/** The box around vertices, mm; null of none. */
-export function boundsOf(
-  ids: Iterable<number>,
-  { vertices }: SceneDesign,
-): { low: Vec3; high: Vec3; size: Vec3; centre: Vec3 } | null {
+/** A box, mm. */
+export interface Bounds {
+  readonly low: Vec3;
+  readonly high: Vec3;
+  readonly size: Vec3;
+  readonly centre: Vec3;
+}
+
+/** The box around places; null of none. */
+export function boundsOf(places: Iterable<Vec3>): Bounds | null {
   let low: Vec3 | null = null;
   let high: Vec3 | null = null;
-  for (const id of ids) {
-    const at = vertices.get(id)?.at;
-    if (!at) continue;
+  for (const at of places) {
     const [a, b]: [Vec3, Vec3] = [low ?? at, high ?? at];
     low = [Math.min(a[0], at[0]), Math.min(a[1], at[1]), Math.min(a[2], at[2])];
     high = [Math.max(b[0], at[0]), Math.max(b[1], at[1]), Math.max(b[2], at[2])];

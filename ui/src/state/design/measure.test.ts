@@ -20,8 +20,13 @@ const design: SceneDesign = {
   vertices: new Map(places.map((at, id) => [id, { id, at, support: false }])),
   edges: new Map(ends.map(([a, b], id) => [id, { id, a, b }])),
 };
-const between = (vertices: number[], edges: number[] = []) =>
-  measured({ vertices: new Set(vertices), edges: new Set(edges) }, design);
+/** A construction line 10 mm below the first edge. */
+const line = [
+  [0, 0, -10],
+  [100, 0, -10],
+] as const;
+const between = (vertices: number[], edges: number[] = [], lines: number[] = []) =>
+  measured({ vertices: new Set(vertices), edges: new Set(edges), lines: new Set(lines) }, design, [line]);
 
 it("measures between vertices, a vertex and an edge, and two edges", () => {
   expect(between([0, 1])).toEqual({ from: [0, 0, 0], to: [100, 0, 0], mm: 100, deg: null });
@@ -32,6 +37,9 @@ it("measures between vertices, a vertex and an edge, and two edges", () => {
   expect(between([], [0, 1])).toMatchObject({ from: [50, 0, 0], to: [50, 30, 40], mm: 50 });
   expect(between([], [0, 1])?.deg).toBeCloseTo(90, 9);
   expect(between([], [0, 2])).toMatchObject({ mm: 20, deg: 0 });
+  // A construction line is one of the two things, as an edge is.
+  expect(between([], [0], [0])).toMatchObject({ mm: 10, deg: 0 });
+  expect(between([4], [0], [0])).toBeNull();
 });
 
 it("measures the shortest way between straight pieces, as dense samples of both find it", () => {

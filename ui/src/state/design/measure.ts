@@ -2,6 +2,7 @@
 
 import type { MeasuredThing, SceneDesign, Selection, Vec3 } from "../../scene/interface";
 import { angleAt, distance } from "./geometry";
+import type { Line } from "./lines";
 
 export interface Measured {
   /** Where the two are nearest to each other, mm. */
@@ -12,15 +13,20 @@ export interface Measured {
   readonly deg: number | null;
 }
 
-/** Nearest places, angle and distance; null where not just two things are selected. */
-export function measured({ vertices, edges }: Selection, design: SceneDesign): Measured | null {
-  if (vertices.size + edges.size !== 2) return null;
-  const things = [
+/** Nearest places, angle and distance; null where not just two things are selected. `drawn`: the construction lines. */
+export function measured(
+  { vertices, edges, lines }: Selection,
+  design: SceneDesign,
+  drawn: readonly Line[],
+): Measured | null {
+  if (vertices.size + edges.size + lines.size !== 2) return null;
+  const things: (readonly [Vec3 | undefined, Vec3 | undefined])[] = [
     ...[...vertices].map((id) => [design.vertices.get(id)?.at, design.vertices.get(id)?.at] as const),
     ...[...edges].map((id) => {
       const edge = design.edges.get(id);
       return [edge && design.vertices.get(edge.a)?.at, edge && design.vertices.get(edge.b)?.at] as const;
     }),
+    ...[...lines].map((place) => drawn[place] ?? ([undefined, undefined] as const)),
   ];
   const [[a, b], [c, d]] = [things[0] ?? [], things[1] ?? []];
   if (!a || !b || !c || !d) return null;

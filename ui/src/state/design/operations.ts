@@ -4,7 +4,8 @@ import type { Axis, SceneJoint, Vec3 } from "../../scene/interface";
 import { tell } from "../asking/problems";
 import { chooseTool, useView } from "../window/view";
 import { edit, useDesign } from "./design";
-import { AXES, axisIndex, axisUnit, boundsOf, degrees, lengthOf, type Matrix, turning } from "./geometry";
+import { AXES, axisIndex, axisUnit, type Bounds, boundsOf, degrees, lengthOf, type Matrix, turning } from "./geometry";
+import { editLines, lines } from "./lines";
 import { fromText, moved, pieceOf, toText } from "./piece";
 import { edgesOf, select, useSelection, verticesOf } from "./selection";
 
@@ -13,14 +14,38 @@ export const selectedVertices = (): number[] => verticesOf(useSelection.getState
 /** Edges that the selection has. */
 export const selectedEdges = (): number[] => edgesOf(useSelection.getState(), useDesign.getState());
 
+/** Where the selected vertices and the ends of the selected construction lines are. */
+function selectedPlaces(): Vec3[] {
+  const { vertices } = useDesign.getState();
+  const drawn = lines();
+  const ends = [...useSelection.getState().lines].flatMap((place) => drawn[place] ?? []);
+  const at = selectedVertices().map((id) => vertices.get(id)?.at);
+  return [...at.filter((place) => place !== undefined), ...ends];
+}
+
+/** The box around the selection; null where there is none. */
+export const selectedBounds = (): Bounds | null => boundsOf(selectedPlaces());
+
+/** A change of vertices and construction lines: those that are selected, unless others are named. */
+function editSelected(
+  request: (vertices: number[], lines: number[]) => EditRequest,
+  vertices: readonly number[] = selectedVertices(),
+  places: Iterable<number> = useSelection.getState().lines,
+): Promise<ViewChange | null> {
+  return editLines(places, (lines) => (vertices.length + lines.length > 0 ? request([...vertices], lines) : null));
+}
+
 /** Makes a change and selects what it has added. */
-async function andSelect(request: EditRequest): Promise<ViewChange | null> {
+async function andSelect(made: () => Promise<ViewChange | null>): Promise<ViewChange | null> {
   const { vertices, edges } = useDesign.getState();
-  const change = await edit(request);
+  const drawn = lines().length;
+  const change = await made();
   if (!change) return null;
+  const added = change.state.construction_mm.slice(drawn).map((_, index) => drawn + index);
   select(
     change.vertices.filter(({ id }) => !vertices.has(id)).map(({ id }) => id),
     change.edges.filter(({ id }) => !edges.has(id)).map(({ id }) => id),
+    added,
   );
   return change;
 }
@@ -32,8 +57,8 @@ function together(label: string, edits: readonly EditRequest[]): EditRequest | n
 }
 
 export function remove(): void {
-  const { vertices, edges } = useSelection.getState();
-  void edit({ edit: "delete", vertices: [...vertices], edges: [...edges] });
+  const { vertices, edges, lines: places } = useSelection.getState();
+  void editLines(places, (lines) => ({ edit: "delete", vertices: [...vertices], edges: [...edges], lines }));
 }
 
 /** Puts a vertex on each selected edge; `at` from 0 to 1 along it. */
@@ -42,7 +67,7 @@ export async function split(at = 0.5): Promise<void> {
     "split edges",
     [...useSelection.getState().edges].map((edge) => ({ edit: "split" as const, edge, at })),
   );
-  if (request) await andSelect(request);
+  if (request) await andSelect(() => edit(request));
 }
 
 export async function merge(at: "first" | "last" | "centre" = "centre"): Promise<void> {
@@ -59,9 +84,16 @@ export async function connect(): Promise<void> {
   if (request) await edit(request);
 }
 
-/** The selected edges become lines to measure and to snap to, which are never bent. */
+/** The selected edges become lines to measure and to snap to, which are never bent; where only lines are selected, these become edges. */
 export async function toConstruction(): Promise<void> {
-  await edit({ edit: "construction", change: { make: "lines", edges: [...selectedEdges()] } });
+  const edges = selectedEdges();
+  if (edges.length > 0) await edit({ edit: "construction", change: { make: "lines", edges } });
+  else await changeLines("edges", useSelection.getState().lines);
+}
+
+/** Construction lines become edges, or are deleted. */
+export async function changeLines(make: "edges" | "nothing", places: Iterable<number>): Promise<void> {
+  await editLines(places, (lines) => (lines.length > 0 ? { edit: "construction", change: { make, lines } } : null));
 }
 
 /** An edge from each selected vertex, mm along an axis; then they are moved by the pointer. */
@@ -95,36 +127,34 @@ export async function extrude(axis: Axis = "z", by = useView.getState().grid * 4
 export async function mirror(axis: Axis, through: number, copy: boolean): Promise<void> {
   const point_mm: [number, number, number] = [0, 0, 0];
   point_mm[axisIndex(axis)] = through;
-  await andSelectIf(copy, {
-    edit: "mirror",
-    vertices: selectedVertices(),
-    point_mm,
-    normal: [...axisUnit(axis)],
-    copy,
-  });
-}
-
-async function andSelectIf(added: boolean, request: EditRequest): Promise<void> {
-  if (added) await andSelect(request);
-  else await edit(request);
+  const normal = [...axisUnit(axis)] as [number, number, number];
+  const mirrored = () =>
+    editSelected((vertices, lines) => ({ edit: "mirror", vertices, lines, point_mm, normal, copy }));
+  await (copy ? andSelect(mirrored) : mirrored());
 }
 
 export async function array(step: Matrix, count: number): Promise<void> {
-  await edit({ edit: "array", vertices: selectedVertices(), step, count });
+  await editSelected((vertices, lines) => ({ edit: "array", vertices, lines, step, count }));
 }
 
 export async function transform(matrix: Matrix): Promise<void> {
-  await edit({ edit: "transform", vertices: selectedVertices(), matrix });
+  await editSelected((vertices, lines) => ({ edit: "transform", vertices, lines, matrix }));
 }
 
-/** Turns vertices, else the selection, right-handed by degrees about an axis through a point. */
+/** Turns vertices and construction lines, else the selection, right-handed by degrees about an axis through a point. */
 export async function rotate(
   axis: Axis,
   through: Vec3,
   angle_deg: number,
-  vertices: readonly number[] = selectedVertices(),
+  vertices?: readonly number[],
+  places?: readonly number[],
 ): Promise<ViewChange | null> {
-  return edit({ edit: "rotate", vertices: [...vertices], axis, through_mm: [...through], angle_deg });
+  const through_mm: [number, number, number] = [...through];
+  return editSelected(
+    (turned, lines) => ({ edit: "rotate", vertices: turned, lines, axis, through_mm, angle_deg }),
+    vertices,
+    places,
+  );
 }
 
 /** Turns the selection by degrees about an edge, right-handed along it from its first vertex to its second. */
@@ -161,11 +191,17 @@ export type ShapeRequest = Extract<EditRequest, { edit: "circle" | "polygon" | "
 
 /** Adds a shape, and selects it. */
 export async function addShape(shape: ShapeRequest): Promise<void> {
-  await andSelect(shape);
+  await andSelect(() => edit(shape));
 }
 
-export async function moveBy(by: Vec3): Promise<void> {
-  await edit({ edit: "move", vertices: selectedVertices(), by_mm: [...by] });
+/** Moves vertices and construction lines, else the selection, mm. */
+export async function moveBy(
+  by: Vec3,
+  vertices?: readonly number[],
+  places?: readonly number[],
+): Promise<ViewChange | null> {
+  const by_mm: [number, number, number] = [...by];
+  return editSelected((moving, lines) => ({ edit: "move", vertices: moving, lines, by_mm }), vertices, places);
 }
 
 export async function place(vertex: number, at: Vec3): Promise<void> {
@@ -237,7 +273,7 @@ export async function pasteText(text: string): Promise<void> {
   const piece = fromText(text);
   if (typeof piece === "string") return tell("info", piece, "paste");
   const { grid } = useView.getState();
-  await andSelect(moved(piece, [grid, grid, 0]));
+  await andSelect(() => edit(moved(piece, [grid, grid, 0])));
 }
 
 export async function paste(): Promise<void> {
@@ -249,14 +285,14 @@ export async function duplicate(): Promise<void> {
   const piece = pieceOf(useSelection.getState(), useDesign.getState());
   if (!piece) return;
   const { grid } = useView.getState();
-  if (!(await andSelect(moved(piece, [grid, grid, 0])))) return;
+  if (!(await andSelect(() => edit(moved(piece, [grid, grid, 0]))))) return;
   chooseTool("select");
   setTimeout(() => useView.getState().handle?.startGrab());
 }
 
 /** The axis along which the selection is largest, and how far that is, mm; null of nothing that has a size. */
 export function largest(): { axis: Axis; size: number; centre: Vec3 } | null {
-  const bounds = boundsOf(selectedVertices(), useDesign.getState());
+  const bounds = selectedBounds();
   if (!bounds) return null;
   const [axis, size] = AXES.map((axis) => [axis, bounds.size[axisIndex(axis)]] as const).reduce((a, b) =>
     b[1] > a[1] ? b : a,

@@ -1,5 +1,5 @@
 import type { EditRequest } from "../../generated/requests";
-import type { SceneDesign, SceneJoint, Selection, Vec3 } from "../../scene/interface";
+import type { SceneDesign, SceneJoint, Vec3, WireSelection } from "../../scene/interface";
 import { edgesOf, verticesOf } from "./selecting";
 
 /** What marks text on the clipboard as a piece of a wireframe, and its version. */
@@ -12,7 +12,7 @@ const MAX_VERTICES = 100_000;
 export type Piece = Extract<EditRequest, { edit: "paste" }>;
 
 /** What is selected as something to paste; null of nothing. */
-export function pieceOf(selection: Selection, design: SceneDesign): Piece | null {
+export function pieceOf(selection: WireSelection, design: SceneDesign): Piece | null {
   const ids = verticesOf(selection, design);
   if (ids.length === 0) return null;
   const places = new Map(ids.map((id, place) => [id, place]));

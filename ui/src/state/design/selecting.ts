@@ -1,13 +1,13 @@
-import type { SceneDesign, Selection } from "../../scene/interface";
+import type { SceneDesign, Selection, WireSelection } from "../../scene/interface";
 
-export const NOTHING: Selection = { vertices: new Set(), edges: new Set() };
+export const NOTHING: Selection = { vertices: new Set(), edges: new Set(), lines: new Set() };
 
-export function isEmpty({ vertices, edges }: Selection): boolean {
-  return vertices.size === 0 && edges.size === 0;
+export function isEmpty({ vertices, edges, lines }: Selection): boolean {
+  return vertices.size + edges.size + lines.size === 0;
 }
 
 /** The selected vertices and the ends of the selected edges, in the order in which they were selected. */
-export function verticesOf({ vertices, edges }: Selection, design: SceneDesign): number[] {
+export function verticesOf({ vertices, edges }: WireSelection, design: SceneDesign): number[] {
   const all = new Set(vertices);
   for (const id of edges) {
     const edge = design.edges.get(id);
@@ -17,7 +17,7 @@ export function verticesOf({ vertices, edges }: Selection, design: SceneDesign):
 }
 
 /** The selected edges and those with both ends selected. */
-export function edgesOf(selection: Selection, design: SceneDesign): number[] {
+export function edgesOf(selection: WireSelection, design: SceneDesign): number[] {
   const inside = new Set(verticesOf(selection, design));
   return [...design.edges.values()]
     .filter(({ id, a, b }) => selection.edges.has(id) || (inside.has(a) && inside.has(b)))
@@ -25,7 +25,7 @@ export function edgesOf(selection: Selection, design: SceneDesign): number[] {
 }
 
 /** Everything that hangs together with what is selected. */
-export function connected(selection: Selection, design: SceneDesign): Selection {
+export function connected(selection: WireSelection, design: SceneDesign): WireSelection {
   const near = new Map<number, number[]>();
   for (const { a, b } of design.edges.values()) {
     near.set(a, [...(near.get(a) ?? []), b]);
@@ -45,7 +45,7 @@ export function connected(selection: Selection, design: SceneDesign): Selection 
 }
 
 /** What is not selected. */
-export function inverted(selection: Selection, design: SceneDesign): Selection {
+export function inverted(selection: WireSelection, design: SceneDesign): WireSelection {
   const without = (all: Iterable<number>, some: ReadonlySet<number>) => new Set([...all].filter((id) => !some.has(id)));
   return {
     vertices: without(design.vertices.keys(), selection.vertices),
@@ -54,7 +54,7 @@ export function inverted(selection: Selection, design: SceneDesign): Selection {
 }
 
 /** What of a selection is still there; the same object where all of it is. */
-export function stillThere(selection: Selection, design: SceneDesign): Selection {
+export function stillThere(selection: WireSelection, design: SceneDesign): WireSelection {
   const gone =
     [...selection.vertices].some((id) => !design.vertices.has(id)) ||
     [...selection.edges].some((id) => !design.edges.has(id));
@@ -66,7 +66,7 @@ export function stillThere(selection: Selection, design: SceneDesign): Selection
 }
 
 /** The vertices of a selection, and those that an edge leads to from there. */
-export function surroundings(selection: Selection, design: SceneDesign): Set<number> {
+export function surroundings(selection: WireSelection, design: SceneDesign): Set<number> {
   const own = new Set(verticesOf(selection, design));
   const all = new Set(own);
   for (const { a, b } of design.edges.values()) {

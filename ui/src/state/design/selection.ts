@@ -1,5 +1,6 @@
 import { create } from "zustand";
 import type { SceneDesign, Selection } from "../../scene/interface";
+import { type Line, placesAfter } from "./lines";
 import { NOTHING, stillThere } from "./selecting";
 
 export * from "./selecting";
@@ -11,12 +12,20 @@ interface SelectionStore extends Selection {
 
 export const useSelection = create<SelectionStore>()(() => ({ ...NOTHING, highlight: NOTHING }));
 
-export function select(vertices: Iterable<number>, edges: Iterable<number> = []): void {
-  useSelection.setState({ vertices: new Set(vertices), edges: new Set(edges) });
+function of(vertices: Iterable<number>, edges: Iterable<number>, lines: Iterable<number>): Selection {
+  return { vertices: new Set(vertices), edges: new Set(edges), lines: new Set(lines) };
 }
 
-export function highlight(vertices: Iterable<number> = [], edges: Iterable<number> = []): void {
-  useSelection.setState({ highlight: { vertices: new Set(vertices), edges: new Set(edges) } });
+export function select(vertices: Iterable<number>, edges: Iterable<number> = [], lines: Iterable<number> = []): void {
+  useSelection.setState(of(vertices, edges, lines));
+}
+
+export function highlight(
+  vertices: Iterable<number> = [],
+  edges: Iterable<number> = [],
+  lines: Iterable<number> = [],
+): void {
+  useSelection.setState({ highlight: of(vertices, edges, lines) });
 }
 
 /** What is not there any more is not selected. */
@@ -26,5 +35,18 @@ export function keepSelected(design: SceneDesign): void {
   const left = stillThere(selection, design);
   if (left !== selection) useSelection.setState(left);
   const still = stillThere(pointed, design);
-  if (still !== pointed) useSelection.setState({ highlight: still });
+  if (still !== pointed) useSelection.setState({ highlight: { ...pointed, ...still } });
+}
+
+/** Construction lines have changed: those stay selected that were, wherever the list has them now. */
+export function keepSelectedLines(before: readonly Line[], after: readonly Line[]): void {
+  const { lines, highlight: pointed } = useSelection.getState();
+  if (lines.size > 0) useSelection.setState({ lines: new Set(placesAfter(lines, before, after)) });
+  // What is pointed at is a row of the list, which moves on under the pointer.
+  if (pointed.lines.size > 0) useSelection.setState({ highlight: { ...pointed, lines: new Set() } });
+}
+
+/** Construction lines are hidden: what is not seen would be moved or deleted unseen. */
+export function deselectLines(): void {
+  if (useSelection.getState().lines.size > 0) useSelection.setState({ lines: new Set() });
 }

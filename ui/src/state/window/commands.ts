@@ -1,5 +1,6 @@
 import type { Vec3 } from "../../scene/interface";
 import { redo, undo, useDesign, whyNoChange } from "../design/design";
+import { linesOf } from "../design/lines";
 import * as operations from "../design/operations";
 import { connected, inverted, isEmpty, NOTHING, select, useSelection } from "../design/selection";
 import { quit } from "../files/closing";
@@ -36,7 +37,9 @@ import {
   planeOf,
   type Side,
   setAnnotations,
+  setConstructionShown,
   setDimensions,
+  shownLines,
   useView,
 } from "./view";
 
@@ -49,6 +52,8 @@ interface Command {
 const NO_SELECTION = "Select vertices or edges first.";
 
 const selected = () => (isEmpty(useSelection.getState()) ? NO_SELECTION : null);
+/** Construction lines have no place on the clipboard. */
+const wire = () => (operations.selectedVertices().length > 0 ? null : NO_SELECTION);
 const vertices = (least: number, what: string) => () =>
   operations.selectedVertices().length >= least
     ? null
@@ -58,6 +63,8 @@ const vertices = (least: number, what: string) => () =>
 const edges = (what: string) => () =>
   operations.selectedEdges().length > 0 ? null : `Select the edges to ${what} first.`;
 const anything = () => (useDesign.getState().vertices.size > 0 ? null : "The design is empty.");
+const lines = () => (linesOf(useDesign.getState().state).length > 0 ? null : "There are no construction lines.");
+const something = () => (shownLines().length > 0 ? null : anything());
 
 /** Whether there is something to play: a design with a machine, or a file that is run. */
 const playable = () => (useRunFile.getState().file ? null : (anything() ?? machine()));
@@ -116,7 +123,7 @@ export const whyNotFrom = (direction: Vec3): string | null =>
 
 function selectAll(): void {
   const design = shownDesign(useDesign.getState());
-  select(design.vertices.keys(), design.edges.keys());
+  select(design.vertices.keys(), design.edges.keys(), shownLines().keys());
 }
 
 function move(): void {
@@ -174,25 +181,28 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
     () => void redo(),
     () => (useDesign.getState().state?.redo ? null : "There is nothing to redo."),
   ),
-  cut: change(operations.cut, selected),
-  copy: { run: operations.copy, why: selected },
+  cut: change(operations.cut, wire),
+  copy: { run: operations.copy, why: wire },
   paste: change(() => void operations.paste()),
-  duplicate: change(() => void operations.duplicate(), selected),
+  duplicate: change(() => void operations.duplicate(), wire),
   delete: change(operations.remove, selected),
-  "select-all": { run: selectAll, why: anything },
+  "select-all": { run: selectAll, why: something },
   "select-connected": {
     run: () => {
-      const all = connected(useSelection.getState(), useDesign.getState());
-      select(all.vertices, all.edges);
+      const selection = useSelection.getState();
+      const all = connected(selection, useDesign.getState());
+      select(all.vertices, all.edges, selection.lines);
     },
     why: selected,
   },
   invert: {
     run: () => {
-      const others = inverted(useSelection.getState(), shownDesign(useDesign.getState()));
-      select(others.vertices, others.edges);
+      const selection = useSelection.getState();
+      const others = inverted(selection, shownDesign(useDesign.getState()));
+      const lines = [...shownLines().keys()].filter((place) => !selection.lines.has(place));
+      select(others.vertices, others.edges, lines);
     },
-    why: anything,
+    why: something,
   },
   straighten: change(operation("straighten"), edges("straighten")),
   round: change(operation("round"), edges("round")),
@@ -200,12 +210,13 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
     figure("fillet"),
     () => selected() ?? (operations.selectedCorners().length > 0 ? null : "Select corners: vertices with two edges."),
   ),
-  rotate: change(figure("rotate"), vertices(1, "rotate")),
+  rotate: change(figure("rotate"), selected),
   mirror: change(operation("mirror"), selected),
   array: change(operation("array"), selected),
   scale: change(
     operation("scale"),
-    () => selected() ?? (operations.largest() ? null : "Select more than one vertex to scale."),
+    () =>
+      selected() ?? (operations.largest() ? null : "Select more than one vertex, or a construction line, to scale."),
   ),
   "tool-select": { run: () => chooseTool("select") },
   "tool-trace": { run: () => chooseTool("trace") },
@@ -218,7 +229,10 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
     () => (useSelection.getState().edges.size > 0 ? null : "Select the edges to split first."),
   ),
   merge: change(() => void operations.merge(), vertices(2, "merge")),
-  construction: change(() => void operations.toConstruction(), edges("make construction lines of")),
+  construction: change(
+    () => void operations.toConstruction(),
+    () => (useSelection.getState().lines.size > 0 ? null : edges("make construction lines of")()),
+  ),
   connect: change(() => void operations.connect(), vertices(2, "connect")),
   "view-front": view("front"),
   "view-back": view("back"),
@@ -229,14 +243,14 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
   "view-perspective": { run: () => useView.getState().handle?.toggleParallel() },
   frame: {
     run: () => {
-      const { vertices: some, edges: more } = useSelection.getState();
-      const all = isEmpty({ vertices: some, edges: more });
-      useView.getState().handle?.frame(all ? undefined : { vertices: some, edges: more });
+      const selection = useSelection.getState();
+      useView.getState().handle?.frame(isEmpty(selection) ? undefined : selection);
     },
   },
   "frame-all": { run: () => useView.getState().handle?.frame() },
   annotations: { run: () => setAnnotations(!useView.getState().annotations) },
   dimensions: { run: () => setDimensions(!useView.getState().dimensions) },
+  "construction-shown": { run: () => setConstructionShown(!useView.getState().constructionShown), why: lines },
   units: { run: toggleUnits },
   play: {
     run: () => (useSequence.getState().shown ? togglePlaySequence() : togglePlay()),
@@ -266,6 +280,7 @@ export function useWhyNot(id: CommandId): string | null {
   useDesign();
   useSelection(({ vertices: some }) => some);
   useSelection(({ edges: some }) => some);
+  useSelection(({ lines: some }) => some);
   usePlayback(({ live }) => live);
   useFiles(({ busy }) => busy);
   useView(({ tool }) => tool);
@@ -278,5 +293,5 @@ export function useWhyNot(id: CommandId): string | null {
 export function designReplaced(): void {
   useView.getState().handle?.cancel();
   useSelection.setState({ ...NOTHING, highlight: NOTHING });
-  useView.setState({ preview: null, strand: null, ownPlane: null, chosenStencil: null });
+  useView.setState({ preview: null, strand: null, ownPlane: null, chosenStencil: null, constructionShown: true });
 }

@@ -49,6 +49,7 @@ export type CommandId =
   | "frame-all"
   | "annotations"
   | "dimensions"
+  | "construction-shown"
   | "units"
   | "play"
   | "stop"
@@ -109,7 +110,12 @@ export const KEYS: readonly KeyEntry[] = [
   { command: "split", label: "Split the selected edges in the middle", keys: ["S"], group: "Tools" },
   { command: "merge", label: "Merge at the centre", keys: ["M"], group: "Tools" },
   { command: "connect", label: "Connect", keys: ["C"], group: "Tools" },
-  { command: "construction", label: "Make construction lines of the selected edges", keys: ["K"], group: "Tools" },
+  {
+    command: "construction",
+    label: "Make construction lines of the selected edges, or edges of such lines",
+    keys: ["K"],
+    group: "Tools",
+  },
   { command: "fillet", label: "Fillet: round the selected corners by a radius", keys: ["B"], group: "Tools" },
   { command: "rotate", label: "Rotate the selection by an angle", keys: ["R"], group: "Tools" },
   { command: "end", label: "End a strand, give up a move, select nothing", keys: ["Escape"], group: "Tools" },

@@ -12,6 +12,7 @@ import type {
 } from "../../scene/interface";
 import { useDesign } from "../design/design";
 import { planeThrough } from "../design/geometry";
+import { type Line, lines } from "../design/lines";
 import { surroundings, verticesOf } from "../design/selecting";
 import { select, useSelection } from "../design/selection";
 import { store, stored } from "./ui";
@@ -86,8 +87,8 @@ interface ViewStore {
   readonly stencilOffset: number;
   /** The stencil that is placed: by its fields, and by the gizmo where nothing is selected. */
   readonly chosenStencil: number | null;
-  /** The construction line that is pointed at in its list, by its place there. */
-  readonly pointedLine: number | null;
+  /** Whether construction lines are seen; hidden ones are neither snapped to nor chosen. */
+  readonly constructionShown: boolean;
   /** Whether places that the checks name are written on in the view. */
   readonly annotations: boolean;
   /** Whether the lengths of all edges and the angles between them are written in the view. */
@@ -132,7 +133,7 @@ export const useView = create<ViewStore>()(() => ({
   stencilOpacity: 0.45,
   stencilOffset: 0,
   chosenStencil: null,
-  pointedLine: null,
+  constructionShown: true,
   annotations: stored("wirebend.annotations") !== "off",
   dimensions: stored("wirebend.dimensions") === "on",
   viewName: "Perspective",
@@ -181,6 +182,13 @@ export function setDimensions(dimensions: boolean): void {
   useView.setState({ dimensions });
   store("wirebend.dimensions", dimensions ? "on" : "off");
 }
+
+export function setConstructionShown(constructionShown: boolean): void {
+  useView.setState({ constructionShown });
+}
+
+/** The construction lines that are seen. */
+export const shownLines = (): readonly Line[] => (useView.getState().constructionShown ? lines() : []);
 
 /** The plane by its name, at a distance from the origin. u × v points away from the origin for a positive one; xz faces the front. */
 export function planeOf(name: PlaneName, offset: number): DrawingPlane {
@@ -258,5 +266,6 @@ export function frame(vertices: Iterable<number>, edges: Iterable<number>): void
   useView.getState().handle?.frame({
     vertices: surroundings({ vertices: new Set(vertices), edges: new Set(edges) }, useDesign.getState()),
     edges: new Set(),
+    lines: new Set(),
   });
 }

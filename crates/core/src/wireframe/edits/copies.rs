@@ -15,7 +15,8 @@ use crate::units::Length;
 const MAX_ARRAY_VERTICES: usize = 1_000_000;
 
 /// The reflection in a plane through `point`.
-pub(super) fn reflection(point: Point3<f64>, normal: Unit<Vector3<f64>>) -> Affine3<f64> {
+#[must_use]
+pub fn reflection(point: Point3<f64>, normal: Unit<Vector3<f64>>) -> Affine3<f64> {
     let linear = Matrix3::identity() - 2.0 * normal.into_inner() * normal.transpose();
     let offset = point.coords - linear * point.coords;
     let mut matrix = Matrix4::identity();
@@ -77,6 +78,9 @@ pub(super) fn array(
         // Vertices that were shared stand once in the next copy's list.
         let mut seen = std::collections::BTreeSet::new();
         last.retain(|&id| seen.insert(id));
+        if last.is_empty() {
+            break;
+        }
     }
     Ok(())
 }

@@ -21,6 +21,7 @@ use super::graph::{EdgeId, VertexId, Wireframe};
 use crate::units::{Angle, Length};
 
 pub use chord_limits::{ChordLimits, NEAR_LIMIT};
+pub use copies::reflection;
 pub use error::{EditError, FilletFault};
 pub use fillet::FilletOutcome;
 pub use outcome::Outcome;

@@ -1,0 +1,44 @@
+/** The tools of the view of a design, of which one has the pointer and the keys. */
+
+import type { SceneListener, Tool } from "../interface";
+import type { Overlay } from "../layers/overlay";
+import type { Stage } from "../stage";
+import { MeasureTool } from "./measure_tool";
+import { SelectTool } from "./select_tool";
+import { TraceTool } from "./trace_tool";
+
+export class Tools {
+  readonly select: SelectTool;
+  private readonly trace: TraceTool;
+  private readonly measure: MeasureTool;
+
+  constructor(stage: Stage, listener: SceneListener, overlay: Overlay) {
+    this.select = new SelectTool(stage, listener, overlay);
+    this.trace = new TraceTool(stage, listener, overlay);
+    this.measure = new MeasureTool(stage, listener, overlay);
+  }
+
+  named(tool: Tool): SelectTool | TraceTool | MeasureTool {
+    return tool === "select" ? this.select : tool === "measure" ? this.measure : this.trace;
+  }
+
+  /** With another tool: what was begun is given up. */
+  leave(): void {
+    this.select.cancel();
+    this.select.hover(null);
+    this.trace.leave();
+    this.measure.leave();
+  }
+
+  designChanged(): void {
+    this.select.designChanged();
+    this.trace.designChanged();
+    this.measure.designChanged();
+  }
+
+  /** Construction lines have changed, or are shown no more. */
+  linesChanged(): void {
+    this.select.linesChanged();
+    this.measure.designChanged();
+  }
+}
