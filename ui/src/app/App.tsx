@@ -45,11 +45,15 @@ export function App() {
         <Guard name="What lies over the view">
           <Toolbar />
           <ViewCube />
-          <PointerHint />
-          <Measuring />
+          <div className="view-foot">
+            <div className="view-foot-rows">
+              <Measuring />
+              <OpenNotes />
+              <PointerHint />
+            </div>
+          </div>
           <EmptyState />
           <Unsaved />
-          <OpenNotes />
           <PreviewFigures />
           <HoverCard />
           <Hit />

@@ -12,15 +12,15 @@ export function OpenNotes() {
   const [open, setOpen] = useState(false);
   if (notes.length === 0) return null;
   return (
-    <div className="open-notes">
+    <>
       {open && (
-        <ul>
+        <ul className="open-notes-list">
           {notes.map((note) => (
             <li key={note.code + note.message}>{errorText(note)}</li>
           ))}
         </ul>
       )}
-      <div className="row">
+      <div className="open-notes row">
         <button type="button" className="open-notes-head" aria-expanded={open} onClick={() => setOpen(!open)}>
           <Icon name={open ? "down" : "right"} size={12} />
           {count(notes.length, "note")} from reading the file
@@ -36,6 +36,6 @@ export function OpenNotes() {
           }}
         />
       </div>
-    </div>
+    </>
   );
 }

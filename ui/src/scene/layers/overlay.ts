@@ -21,7 +21,8 @@ export class Overlay {
       whiteSpace: "pre",
     };
     Object.assign(this.number.style, text, {
-      bottom: "36px",
+      // Above the help at the pointer.
+      bottom: "44px",
       padding: "2px 10px",
       borderRadius: "6px",
       display: "none",
