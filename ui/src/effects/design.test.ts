@@ -8,7 +8,7 @@ vi.mock("../platform", () => ({
 
 import type { Fix, LiveCheck } from "../generated/responses";
 import { useDesign } from "../state/design/design";
-import { showFix, useFixes } from "../state/design/fixes";
+import { showFix, useFixes } from "../state/design/fixes/fixes";
 import { useFiles } from "../state/files/files";
 import type { WireRun } from "../state/machine/operator";
 import { useRun } from "../state/machine/run";

@@ -1,6 +1,6 @@
 import { lookForCollisions } from "../state/design/collisions";
 import { useDesign } from "../state/design/design";
-import { hideFix, previewGone } from "../state/design/fixes";
+import { hideFix, previewGone } from "../state/design/fixes/fixes";
 import { linesOf, renumberWaiting } from "../state/design/lines";
 import { deselectLines, keepSelected, keepSelectedLines } from "../state/design/selection";
 import { forgetExports, setDespiteErrors } from "../state/files/exports";

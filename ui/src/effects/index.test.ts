@@ -23,7 +23,7 @@ vi.mock("../platform", () => ({ platform, Refused: class Refused extends Error {
 import type { Fix } from "../generated/responses";
 import type { Played } from "../scene/interface";
 import { useDesign } from "../state/design/design";
-import { showFix, useFixes } from "../state/design/fixes";
+import { showFix, useFixes } from "../state/design/fixes/fixes";
 import { useSelection } from "../state/design/selection";
 import { setDespiteErrors, useExports } from "../state/files/exports";
 import { useFiles } from "../state/files/files";

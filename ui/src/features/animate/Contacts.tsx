@@ -6,7 +6,7 @@ import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { useCollisions } from "../../state/design/collisions";
 import { useDesign } from "../../state/design/design";
-import { applyFix, avoidCollisions, otherWires, useFixes } from "../../state/design/fixes";
+import { applyFix, avoidCollisions, otherWires, useFixes } from "../../state/design/fixes/fixes";
 import { type PlayedContact, setStops, useContacts, useStops } from "../../state/program/contacts";
 import { jump } from "../../state/program/player";
 import { usePlayback } from "../../state/program/program";

@@ -4,7 +4,7 @@ import { count, sentence } from "../../shared/figures/format";
 import { Line } from "../../shared/lists/Line";
 import { useKnown } from "../../state/design/collisions";
 import { useDesign } from "../../state/design/design";
-import { needFixes, REST } from "../../state/design/fixes";
+import { needFixes, REST } from "../../state/design/fixes/fixes";
 import { useUi } from "../../state/window/ui";
 import { setAnnotations, useView } from "../../state/window/view";
 import { Section } from "../panel/Section";

@@ -2,8 +2,8 @@ import { useEffect } from "react";
 import type { DiagnosticReport } from "../../generated/responses";
 import { count } from "../../shared/figures/format";
 import { useDesign } from "../../state/design/design";
-import { needFixAll, useFixAll } from "../../state/design/fix_all";
-import { REST } from "../../state/design/fixes";
+import { needFixAll, useFixAll } from "../../state/design/fixes/fix_all";
+import { REST } from "../../state/design/fixes/fixes";
 import { FixList } from "./FixList";
 
 /** One change for all findings of a kind, with how many it fixes and how many stay; nothing where there is none. */

@@ -6,7 +6,7 @@ import { useLengths } from "../../shared/figures/unit";
 import { useInSight } from "../../shared/lists/sight";
 import { useDesign } from "../../state/design/design";
 import { isCollision } from "../../state/design/findings";
-import { applyFix, otherWires, showFix, useFixes } from "../../state/design/fixes";
+import { applyFix, otherWires, showFix, useFixes } from "../../state/design/fixes/fixes";
 import { afterwards, isFirst } from "./totals";
 
 /** What changes, in a line: "+601.4 mm · +$1.20 · +2:10"; without a route, what there is then. */

@@ -8,8 +8,8 @@ vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Erro
 
 import type { DiagnosticReport, Fix, LiveCheck } from "../../generated/responses";
 import { useDesign } from "../../state/design/design";
-import { useFixAll } from "../../state/design/fix_all";
-import { REST, useFixes } from "../../state/design/fixes";
+import { useFixAll } from "../../state/design/fixes/fix_all";
+import { REST, useFixes } from "../../state/design/fixes/fixes";
 import { useSelection } from "../../state/design/selection";
 import { useUi } from "../../state/window/ui";
 import { GroupLine } from "./GroupLine";

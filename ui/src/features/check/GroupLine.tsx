@@ -7,7 +7,7 @@ import { useUnit } from "../../shared/figures/unit";
 import { Mark } from "../../shared/lists/Mark";
 import { useDesign } from "../../state/design/design";
 import { isCollision } from "../../state/design/findings";
-import { fixesOf, useFixes } from "../../state/design/fixes";
+import { fixesOf, useFixes } from "../../state/design/fixes/fixes";
 import { highlight, select } from "../../state/design/selection";
 import { showParts } from "../../state/parts/parts";
 import { frame } from "../../state/window/view";

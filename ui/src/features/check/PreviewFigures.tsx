@@ -2,7 +2,7 @@ import type { Fix } from "../../generated/responses";
 import { money, time } from "../../shared/figures/format";
 import { useLengths } from "../../shared/figures/unit";
 import { useDesign } from "../../state/design/design";
-import { otherWires, useFixes } from "../../state/design/fixes";
+import { otherWires, useFixes } from "../../state/design/fixes/fixes";
 import { useView } from "../../state/window/view";
 import { isFirst, totals } from "./totals";
 import "./check.css";

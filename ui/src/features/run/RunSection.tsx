@@ -5,7 +5,7 @@ import { Section } from "../panel/Section";
 import { phrase } from "./buttons";
 import { Manual } from "./by_hand/Manual";
 import { Connect } from "./Connect";
-import { Console } from "./Console";
+import { Console } from "./console/Console";
 import { ToRun } from "./file/ToRun";
 import { QuestionDialog } from "./questions/QuestionDialog";
 import { Runs } from "./records/Runs";

@@ -1,15 +1,15 @@
 // @vitest-environment happy-dom
 import { describe, expect, it, vi } from "vitest";
 
-vi.mock("../../platform", () => ({
+vi.mock("../../../platform", () => ({
   platform: { ask: vi.fn(), stop: vi.fn(), listen: vi.fn() },
   Refused: class Refused extends Error {},
 }));
 
-import type { Collisions, Fix, LiveCheck } from "../../generated/responses";
-import { platform } from "../../platform";
-import type { SceneDesign } from "../../scene/interface";
-import { useDesign } from "./design";
+import type { Collisions, Fix, LiveCheck } from "../../../generated/responses";
+import { platform } from "../../../platform";
+import type { SceneDesign } from "../../../scene/interface";
+import { useDesign } from "../design";
 import { applyFix, avoidCollisions, fixesOf, otherWires, previewOf, useFixes } from "./fixes";
 
 const design: SceneDesign = {

@@ -1,7 +1,7 @@
 import { create } from "zustand";
-import type { DiagnosticReport, FixAll, LiveCheck } from "../../generated/responses";
-import { asking } from "../asking/work";
-import { useDesign } from "./design";
+import type { DiagnosticReport, FixAll, LiveCheck } from "../../../generated/responses";
+import { asking } from "../../asking/work";
+import { useDesign } from "../design";
 
 type Code = DiagnosticReport["code"];
 

@@ -1,10 +1,10 @@
 import { type KeyboardEvent, useState } from "react";
-import { Button } from "../../shared/controls/Button";
-import { TextInput } from "../../shared/controls/inputs";
-import { type Recalled, recall } from "../../state/machine/console";
-import { isOpen, sendLine, useRun } from "../../state/machine/run";
-import { buttons } from "./buttons";
-import { useProspect } from "./prospect";
+import { Button } from "../../../shared/controls/Button";
+import { TextInput } from "../../../shared/controls/inputs";
+import { type Recalled, recall } from "../../../state/machine/console";
+import { isOpen, sendLine, useRun } from "../../../state/machine/run";
+import { buttons } from "../buttons";
+import { useProspect } from "../prospect";
 
 /** A line of the driver's protocol may be as long. */
 const LONGEST = 256;

@@ -2,10 +2,10 @@
 import { beforeEach, expect, it, vi } from "vitest";
 
 const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(), listen: vi.fn() }));
-vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
+vi.mock("../../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
-import type { Collisions, ContactReport, EditRequest, Fix } from "../../generated/responses";
-import { useDesign } from "./design";
+import type { Collisions, ContactReport, EditRequest, Fix } from "../../../generated/responses";
+import { useDesign } from "../design";
 import { avoidCollisions, useFixes } from "./fixes";
 
 const finding = { code: "meets_machine" as const, severity: "warning" as const, message: "", help: "" };

@@ -3,11 +3,11 @@ import { act } from "react";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
 const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
-vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
+vi.mock("../../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
-import { place } from "../../shared/testing";
-import { useRun } from "../../state/machine/run";
-import { machineState } from "../../state/testing";
+import { place } from "../../../shared/testing";
+import { useRun } from "../../../state/machine/run";
+import { machineState } from "../../../state/testing";
 import { ConsoleInput } from "./ConsoleInput";
 
 const at = place();

@@ -1,12 +1,12 @@
 import { create } from "zustand";
-import type { EditRequest } from "../../generated/requests";
-import type { Collisions, DiagnosticReport, Fix, FixPreview, LiveCheck } from "../../generated/responses";
-import type { Preview, SceneDesign, Vec3 } from "../../scene/interface";
-import { tell } from "../asking/problems";
-import { asking } from "../asking/work";
-import { useView } from "../window/view";
-import { edit, useDesign } from "./design";
-import { isCollision } from "./findings";
+import type { EditRequest } from "../../../generated/requests";
+import type { Collisions, DiagnosticReport, Fix, FixPreview, LiveCheck } from "../../../generated/responses";
+import type { Preview, SceneDesign, Vec3 } from "../../../scene/interface";
+import { tell } from "../../asking/problems";
+import { asking } from "../../asking/work";
+import { useView } from "../../window/view";
+import { edit, useDesign } from "../design";
+import { isCollision } from "../findings";
 
 /** Fixes are asked for once the design has come to rest, ms. */
 export const REST = 350;
