@@ -1,6 +1,6 @@
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { moved } from "../support/browser.ts";
 import { Editor, until } from "../support/editor.ts";
+import { moved } from "../support/movements.ts";
 
 let editor: Editor;
 beforeAll(async () => {

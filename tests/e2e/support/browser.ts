@@ -1,6 +1,7 @@
 import { existsSync, mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { type Browser, chromium, type Page } from "playwright-core";
+import { watch } from "./movements.ts";
 import { pictures } from "./places.ts";
 import { TELL, type Watched, watchPointer } from "./under_pointer.ts";
 
@@ -35,20 +36,6 @@ export interface Complaints {
   readonly list: string[];
 }
 
-/** What has moved under the pointer of any page since it was asked last. */
-const movements: string[] = [];
-const pages = new Set<Page>();
-
-/** Waits for each page to come to rest, and takes what has moved under its pointer. */
-export async function moved(): Promise<string[]> {
-  for (const page of pages)
-    await page
-      .evaluate(() => (globalThis as Watched).wirebendPointer?.rest())
-      // A page that is left for another one has no pointer any more.
-      .catch(() => undefined);
-  return movements.splice(0);
-}
-
 /** A page that keeps what it complains of: a mistake in a script fails the test that caused it. */
 export async function openPage(
   browser: Browser,
@@ -62,8 +49,13 @@ export async function openPage(
   });
   const page = await context.newPage();
   const complaints: Complaints = { list: [] };
-  pages.add(page);
-  page.on("close", () => pages.delete(page));
+  const movements: string[] = [];
+  const unwatch = watch(async () => {
+    // A page that is left for another one has no pointer any more.
+    await page.evaluate(() => (globalThis as Watched).wirebendPointer?.rest()).catch(() => undefined);
+    return movements.splice(0);
+  });
+  page.on("close", () => void unwatch());
   await page.exposeBinding(TELL, (_, what: string) => void movements.push(what));
   await page.addInitScript(watchPointer, TELL);
   page.on("pageerror", (error) => complaints.list.push(error.message));

@@ -4,7 +4,9 @@ import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import WebDriver, { type Client } from "webdriver";
+import { watch } from "./movements.ts";
 import { root } from "./places.ts";
+import { TELL, watchPointer } from "./under_pointer.ts";
 
 /** The package, unpacked as it is installed: the same paths below a folder of its own. */
 export interface Unpacked {
@@ -85,6 +87,9 @@ async function freePort(): Promise<number> {
 
 /** The window, driven through WebKit's own driver. */
 export class Driven {
+  /** Ends the measuring of what moves under its pointer. */
+  private unwatch = async (): Promise<void> => {};
+
   private constructor(
     private readonly child: ChildProcess,
     readonly client: Client,
@@ -140,7 +145,24 @@ export class Driven {
         firstMatch: [{}],
       } as never,
     });
-    return new Driven(child, client, home, seen, environment);
+    const driven = new Driven(child, client, home, seen, environment);
+    await driven.watch();
+    return driven;
+  }
+
+  /** Measures what moves under the pointer, by the same as in a browser. */
+  private async watch(): Promise<void> {
+    await this.until("document.querySelector('.viewport canvas')", "the window is there");
+    // As text of the script: the page does not let its own texts be run.
+    await this.run(
+      `window.wirebendMovements = [];
+       window[arguments[0]] = async (what) => void window.wirebendMovements.push(what);
+       (${watchPointer})(arguments[0]);`,
+      TELL,
+    );
+    const rest =
+      "const done = arguments[0]; window.wirebendPointer.rest().then(() => done(window.wirebendMovements.splice(0)))";
+    this.unwatch = watch(() => this.client.executeAsyncScript(rest, []) as Promise<string[]>);
   }
 
   /** Runs a function in the page. */
@@ -165,7 +187,7 @@ export class Driven {
     const first = `document.evaluate(${JSON.stringify(xpath)}, document, null, 9, null).singleNodeValue`;
     await this.until(first, `there is ${xpath}`);
     // A part of the panel that is scrolled away cannot be clicked.
-    await this.run(`${first}?.scrollIntoView({ block: 'center' })`);
+    await this.run(`const found = ${first}; if (found) window.wirebendPointer.bring(found)`);
     const found = await this.client.findElement("xpath", xpath);
     if ("error" in found) throw new Error(`it was there and has gone: ${xpath}`);
     await this.client.elementClick(found["element-6066-11e4-a52e-4f735466cecf"]);
@@ -197,12 +219,16 @@ export class Driven {
   }
 
   async end(): Promise<void> {
-    // Without it the driver leaves the window behind.
-    await this.client.deleteSession().catch(() => {});
-    const over = new Promise((resolve) => this.child.once("close", resolve));
-    this.child.kill();
-    await over;
-    rmSync(this.home, { recursive: true, force: true });
+    try {
+      await this.unwatch();
+    } finally {
+      // Without it the driver leaves the window behind.
+      await this.client.deleteSession().catch(() => {});
+      const over = new Promise((resolve) => this.child.once("close", resolve));
+      this.child.kill();
+      await over;
+      rmSync(this.home, { recursive: true, force: true });
+    }
   }
 }
 

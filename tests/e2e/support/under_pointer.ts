@@ -6,12 +6,14 @@ export const TELL = "wirebendMoved";
 export interface PointerWatch {
   /** Whether the page has come to rest, and what had moved is told: to be awaited at the end of a test. */
   rest(): Promise<void>;
+  /** Scrolls something into sight as a test does, which is no movement. */
+  bring(element: Element): void;
 }
 
 export type Watched = typeof globalThis & { wirebendPointer?: PointerWatch };
 
 /**
- * Runs in the page, before anything of it. An action is a move of the pointer onto something else, a press of its button, a key, or a new value
+ * Runs in the page, before a person does anything. An action is a move of the pointer onto something else, a press of its button, a key, or a new value
  * of a field. At each the boxes are kept, before the page hears of it, of
  *
  * - the control that the pointer is on, or, where it is on none, of what else it is on;
@@ -165,6 +167,7 @@ export function watchPointer(tell: string): void {
     forget();
   };
   setInterval(() => look(), LOOK_MS);
+  const bring = Element.prototype.scrollIntoView;
   (globalThis as Watched).wirebendPointer = {
     rest: () =>
       new Promise<void>((done) => {
@@ -176,6 +179,10 @@ export function watchPointer(tell: string): void {
           });
         frames(2);
       }),
+    bring: (element) => {
+      bring.call(element, { block: "center" });
+      keep(action, opening);
+    },
   };
 
   const opens = (target: EventTarget | null) =>
@@ -255,9 +262,12 @@ export function watchPointer(tell: string): void {
     const original = Element.prototype[way] as (this: Element, ...how: unknown[]) => void;
     Object.assign(Element.prototype, {
       [way](this: Element, ...how: unknown[]) {
-        sighted ||= way === "scrollIntoView" && performance.now() - openedAt < SIGHT_MS;
+        const sights = way === "scrollIntoView" && performance.now() - openedAt < SIGHT_MS;
+        sighted ||= sights;
         scrolls(this);
         original.apply(this, how);
+        // WebKit may report the scroll much later than it is drawn.
+        if (sights) keep(action, opening);
       },
     });
   }
