@@ -3,6 +3,7 @@ import { createRequire } from "node:module";
 import { type Browser, chromium, type Page } from "playwright-core";
 import { watch } from "./movements.ts";
 import { pictures } from "./places.ts";
+import { watchesWaits } from "./still.ts";
 import { TELL, type Watched, watchPointer } from "./under_pointer.ts";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -58,6 +59,7 @@ export async function openPage(
   page.on("close", () => void unwatch());
   await page.exposeBinding(TELL, (_, what: string) => void movements.push(what));
   await page.addInitScript(watchPointer, TELL);
+  await watchesWaits(page);
   page.on("pageerror", (error) => complaints.list.push(error.message));
   page.on("console", (message) => {
     // A refusal is an answer, and the person is shown it.
@@ -90,8 +92,8 @@ export async function barriers(page: Page): Promise<Violation[]> {
   await page.evaluate(axe);
   return page.evaluate(async () => {
     const { violations } = await (
-      window as unknown as { axe: { run: () => Promise<{ violations: Found[] }> } }
-    ).axe.run();
+      window as unknown as { axe: { run: (options: object) => Promise<{ violations: Found[] }> } }
+    ).axe.run({ resultTypes: ["violations"] });
     return violations
       .filter(({ impact }) => impact === "serious" || impact === "critical")
       .map(({ id, impact, nodes }) => ({

@@ -46,11 +46,51 @@ function moved(page: Page): Promise<string[]> {
   }, SAME);
 }
 
-/** What was opened comes into sight half a second later: the layout is at rest once it has been the same for longer, frame by frame. */
-const REST_MS = 700;
+/** What the page does later, it does within this time, such as bringing into sight what was opened. */
+const LATER_MS = 700;
+/** The layout is at rest once it has been the same for so long, frame by frame, with nothing to come. */
+const REST_MS = 250;
 
-/** Waits until nothing moves any more of what came before: until each frame has found the same layout for so long. */
-function atRest(page: Page): Promise<void> {
+type Waiting = typeof globalThis & { wirebendWaits?: () => boolean };
+
+/** Runs in the page, before anything of it: keeps whether it waits for an answer, or for a time to pass that is no longer than `later`. */
+export function watchWaits(later: number): void {
+  const timers = new Set<number>();
+  let asked = 0;
+  const { setTimeout: begin, clearTimeout: clear, fetch: ask } = window;
+  const timeout = (handler: TimerHandler, ms = 0, ...words: unknown[]): number => {
+    const id = begin(
+      (...given: unknown[]) => {
+        timers.delete(id);
+        if (typeof handler === "function") handler(...given);
+      },
+      ms,
+      ...words,
+    );
+    if (ms <= later) timers.add(id);
+    return id;
+  };
+  window.setTimeout = timeout as typeof window.setTimeout;
+  window.clearTimeout = (id) => {
+    timers.delete(Number(id));
+    clear(id);
+  };
+  window.fetch = async (...what) => {
+    asked += 1;
+    try {
+      return await ask(...what);
+    } finally {
+      asked -= 1;
+    }
+  };
+  (globalThis as Waiting).wirebendWaits = () => asked > 0 || timers.size > 0;
+}
+
+/** For a page that is not loaded yet. */
+export const watchesWaits = (page: Page): Promise<unknown> => page.addInitScript(watchWaits, LATER_MS);
+
+/** Waits until nothing moves any more of what came before: until the page waits for nothing, and each frame has found the same layout for a while. */
+export function atRest(page: Page): Promise<void> {
   return page.evaluate(
     ({ things, same, rest }) =>
       new Promise<void>((done) => {
@@ -65,7 +105,8 @@ function atRest(page: Page): Promise<void> {
             const by = was ? [left - was.left, top - was.top, right - was.right, bottom - was.bottom] : [Infinity];
             return by.every((px) => Math.abs(px) <= same);
           });
-          if (!still || boxes.size !== before.size) [before, since] = [boxes, now];
+          const waits = (globalThis as Waiting).wirebendWaits?.() ?? true;
+          if (!still || waits || boxes.size !== before.size) [before, since] = [boxes, now];
           if (now - since >= rest) done();
           else requestAnimationFrame(look);
         };
