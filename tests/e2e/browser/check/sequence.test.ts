@@ -1,0 +1,71 @@
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { picture } from "../../support/browser.ts";
+import { Editor, until } from "../../support/editor.ts";
+import { root } from "../../support/places.ts";
+
+let editor: Editor;
+beforeAll(async () => {
+  editor = await Editor.open();
+  const input = { file: `${root}examples/four-frame.json` };
+  await editor.loopback.ask("open", { design: { input } });
+  await editor.reload("sequence");
+});
+afterAll(() => editor?.end());
+
+const section = () => editor.section("sequence");
+const timeline = () => editor.page.getByRole("region", { name: "Timeline" });
+const slider = () => editor.page.getByLabel("Position in the sequence");
+const options = () => section().getByRole("listbox", { name: "Steps of building" }).getByRole("option");
+
+it("finds the order in which four struts are built, as the command line does", async () => {
+  await section().getByRole("button", { name: "Find", exact: true }).click();
+  await until(() => options().count()).toBe(4);
+  // docs/sequences.md.
+  await section().getByText("0.0036 mm").first().waitFor();
+  await until(() => slider().inputValue()).toBe("4");
+});
+
+it("steps, slides and goes back to the design", async () => {
+  await editor.button("Step back").click();
+  await until(() => slider().inputValue()).toBe("3");
+  await timeline()
+    .getByText(/^step 3 \/ 4 · edge 3$/)
+    .waitFor();
+  await options().nth(2).click();
+  await section().getByRole("option", { selected: true }).filter({ hasText: /^3/ }).waitFor();
+  await slider().fill("2.5");
+  await timeline()
+    .getByText(/^step 3 \/ 4 · edge 3$/)
+    .waitFor();
+  await picture(editor.page, "sequence-step");
+  await section()
+    .getByText(/^Colours of the layers/)
+    .click();
+  await picture(editor.page, "sequence-layers");
+  await editor.isClean("sequence");
+});
+
+it("checks an order of one's own at once, and takes it back", async () => {
+  await options().nth(2).click();
+  await section().getByRole("button", { name: "Earlier" }).click();
+  await section()
+    .getByText(/^Your order can(not)? be built$/)
+    .waitFor();
+  await options().nth(1).click();
+  await section().getByRole("button", { name: "Earlier" }).click();
+  await section().getByText("Your order cannot be built").waitFor();
+  await picture(editor.page, "sequence-wrong");
+  await section().getByRole("button", { name: "Take back" }).click();
+  await section()
+    .getByText(/^Your order/)
+    .waitFor({ state: "detached" });
+  await editor.button("Back to the design").first().click();
+  await slider().waitFor({ state: "detached" });
+});
+
+it("says what is missing where nothing stands on the ground", async () => {
+  await editor.take("house", "sequence");
+  await section().getByRole("button", { name: "Find", exact: true }).click();
+  await section().locator(".line.error, .mark.error").first().waitFor();
+  expect(await options().count()).toBe(0);
+});
