@@ -50,7 +50,7 @@ fn refusal(port: &str, error: &serialport::Error) -> DriverError {
         ErrorKind::Io(io::ErrorKind::PermissionDenied) => (
             "port-denied",
             format!("this user may not open the port '{port}'"),
-            "on Linux join the group of serial ports with `sudo usermod -aG dialout $USER`, then log in again",
+            "on Linux add this user to the group that serial ports belong to, dialout on Debian and Ubuntu, then log in again",
         ),
         // A port that another program has locked is reported as if it were not there.
         ErrorKind::NoDevice if is_there(port) => (

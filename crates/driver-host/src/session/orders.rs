@@ -157,9 +157,11 @@ impl Orders {
     #[must_use]
     pub fn of(phase: Phase, abilities: &BTreeSet<Capability>, reference: ReferenceBy) -> Self {
         let mut orders = Self::default();
+        // What a driver that is lost could do is not known any more.
+        let lacks = if phase == Phase::Failed { Because::Failed } else { Because::Unable };
         for order in OrderName::ALL {
             let unable =
-                || order.needs().filter(|needed| !abilities.contains(needed)).map(|_| Because::Unable);
+                || order.needs().filter(|needed| !abilities.contains(needed)).map(|_| lacks);
             match refusal(phase, order, reference).or_else(unable) {
                 None => orders.can.push(order),
                 Some(because) => orders.cannot.push(RefusedOrder { order, because }),

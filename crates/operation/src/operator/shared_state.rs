@@ -47,7 +47,7 @@ impl From<NotTaken> for OperatorError {
         match because {
             Because::QuestionOpen => Self::QuestionOpen { order },
             Because::Busy => Self::Busy { order },
-            Because::Unable if phase != Phase::Failed => Self::Unable { order },
+            Because::Unable => Self::Unable { order },
             _ => Self::NotNow { order, phase },
         }
     }

@@ -143,6 +143,10 @@ it("takes lines for the machine, whose answers stand below them, and none while 
   };
   await typed("C4", /v4,/);
   await typed("status", /t0,/);
+  // What is refused stays to be corrected, and the log says why.
+  await typed("bogus", /Not sent: bogus\. /);
+  await until(() => field.inputValue()).toBe("bogus");
+  await typed("C4", /v4,/);
   // The field is still there to be typed in, and has what was typed before.
   expect(await field.inputValue()).toBe("");
   await field.press("ArrowUp");

@@ -30,8 +30,32 @@ it("leads through four steps once, and stands in the way of no menu", async () =
       (hint?.y ?? 0) + (hint?.height ?? 0) > (other?.y ?? 0);
     expect(over).toBe(false);
   }
+  const clear = async () => {
+    const boxes = await Promise.all(
+      [note, editor.page.locator(".view-corner"), editor.page.locator(".panel"), editor.page.locator(".status-bar")].map(
+        (of) => of.boundingBox(),
+      ),
+    );
+    const [own, ...around] = boxes.map((box) => box ?? { x: 0, y: 0, width: 0, height: 0 });
+    const over = around.map(
+      (box) =>
+        own !== undefined &&
+        own.x < box.x + box.width &&
+        box.x < own.x + own.width &&
+        own.y < box.y + box.height &&
+        box.y < own.y + own.height,
+    );
+    expect(over, await note.innerText()).toEqual([false, false, false]);
+  };
+  await editor.page.setViewportSize({ width: 960, height: 600 });
+  await clear();
+  await editor.isCleanNow("start-hint-small");
   await note.getByRole("button", { name: "Next" }).click();
   await note.getByText("Choose the machine and the wire").waitFor();
+  await clear();
+  await editor.isCleanNow("start-hint-second-small");
+  await editor.page.setViewportSize({ width: 1280, height: 800 });
+  await clear();
   await editor.isCleanNow("start-hint");
   // It lies where the menus open: they come before it.
   await editor.menu("Help", "About WireBend-kit");

@@ -329,6 +329,43 @@ it("shows its own menu on a right click, with what can be done there", async () 
   await press("Control+z");
   await until(edges).toBe(6);
 
+  // Every entry can be clicked, whatever the menu is laid over.
+  for (const [width, height] of [
+    [960, 600],
+    [1280, 650],
+    [1280, 800],
+  ] as const) {
+    await editor.page.setViewportSize({ width, height });
+    const view = await front();
+    const edge = view.at([35, 0, 30]);
+    for (const down of [0, 60]) {
+      await editor.page.mouse.click(edge.x, edge.y + down, { button: "right" });
+      await menu().getByRole("menuitem").first().waitFor();
+      const covered = await menu()
+        .getByRole("menuitem")
+        .evaluateAll((entries) =>
+          entries
+            .filter((entry) => {
+              const { left, top, width, height } = entry.getBoundingClientRect();
+              const [x, y] = [left + width / 2, top + height / 2];
+              // A menu that is higher than the window is scrolled.
+              const end = entry.closest("[role=menu]")?.getBoundingClientRect().bottom ?? 0;
+              return y < end - 6 && !entry.contains(document.elementFromPoint(x, y));
+            })
+            .map((entry) => entry.textContent),
+        );
+      expect(covered, `${width} × ${height}`).toEqual([]);
+      const stop = editor.page.getByRole("button", { name: /^STOP/ });
+      const seen = await stop.evaluate((button) => {
+        const { left, top, width, height } = button.getBoundingClientRect();
+        return button.contains(document.elementFromPoint(left + width / 2, top + height / 2));
+      });
+      expect(seen, "STOP").toBe(true);
+      await press("Escape");
+      await menu().waitFor({ state: "detached" });
+    }
+  }
+
   // Turning the view with the right button asks for nothing.
   await editor.page.mouse.move(x - 80, y);
   await editor.page.mouse.down({ button: "right" });

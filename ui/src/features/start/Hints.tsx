@@ -2,6 +2,7 @@ import { useEffect, useLayoutEffect, useRef, useState } from "react";
 import { Button } from "../../shared/controls/Button";
 import { useDesign } from "../../state/design/design";
 import { dismissHints, goToHint, useHints } from "../../state/window/hints";
+import { beside } from "./beside";
 import "./start.css";
 
 interface Hint {
@@ -58,17 +59,9 @@ function Bubble({ hint, step }: { readonly hint: Hint; readonly step: number }) 
   const [at, setAt] = useState<{ left: number; top: number } | null>(null);
   useLayoutEffect(() => {
     const place = () => {
-      const from = document.querySelector(hint.beside)?.getBoundingClientRect();
-      const own = bubble.current?.getBoundingClientRect();
-      if (!from || !own) return;
-      const wanted = {
-        left: { left: from.left - own.width - 12, top: from.top },
-        below: { left: from.left, top: from.bottom + 10 },
-      }[hint.side];
-      setAt({
-        left: Math.max(8, Math.min(wanted.left, window.innerWidth - own.width - 8)),
-        top: Math.max(8, Math.min(wanted.top, window.innerHeight - own.height - 8)),
-      });
+      const box = (selector: string) => document.querySelector(selector)?.getBoundingClientRect() ?? null;
+      const [from, view, own] = [box(hint.beside), box(".viewport"), bubble.current?.getBoundingClientRect()];
+      if (from && view && own) setAt(beside(hint.side, from, view, box(".view-corner"), own));
     };
     place();
     const watch = new ResizeObserver(place);

@@ -73,20 +73,25 @@ function Asking({ opening }: { readonly opening: Opening }) {
     ...(drawing ? { ...asInput(cutting), layers: [...layers] } : {}),
   };
   const asked = JSON.stringify(design);
+  const first = seenFor === null;
   useEffect(() => {
+    if (seenFor === asked) return;
     let current = true;
-    const timer = setTimeout(() => {
-      void told(platform.ask("look", { design: JSON.parse(asked) as DesignInput })).then((seen) => {
-        if (!current || !seen) return;
-        setLook(seen);
-        setSeenFor(asked);
-      });
-    }, 150);
+    const timer = setTimeout(
+      () => {
+        void told(platform.ask("look", { design: JSON.parse(asked) as DesignInput })).then((seen) => {
+          if (!current) return;
+          if (seen) setLook(seen);
+          if (seen || first) setSeenFor(asked);
+        });
+      },
+      first ? 0 : 150,
+    );
     return () => {
       current = false;
       clearTimeout(timer);
     };
-  }, [asked]);
+  }, [asked, seenFor, first]);
 
   const size = look.size_mm;
   const like = size && likeness(Math.max(...size));
@@ -102,6 +107,8 @@ function Asking({ opening }: { readonly opening: Opening }) {
       setBusy(false);
     }
   };
+  // It opens as large as it stays: with what is known once it was read as the fields say.
+  if (first) return null;
   return (
     <Dialog
       title={`Open ${baseName(path)}`}

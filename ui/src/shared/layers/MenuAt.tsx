@@ -2,6 +2,11 @@ import * as Radix from "@radix-ui/react-menubar";
 import { type CSSProperties, useRef } from "react";
 import { FROM_EDGE, type MenuItem, Opened, withinMenu } from "./Menu";
 
+/** The menu is above all that is laid over the view, and below the top bar: STOP stays in sight. */
+const LAYER = 50;
+const TOP_BAR = 44;
+const ROOM = { top: TOP_BAR + FROM_EDGE, right: FROM_EDGE, bottom: FROM_EDGE, left: FROM_EDGE };
+
 /** Whether nothing has taken the focus from the menu. */
 function isFocusFree(): boolean {
   const at = document.activeElement;
@@ -29,7 +34,7 @@ export function MenuAt({
     if (isFocusFree()) back();
     close();
   };
-  const place: CSSProperties = { position: "fixed", left: at.x, top: at.y, width: 0, height: 0 };
+  const place: CSSProperties = { position: "fixed", left: at.x, top: at.y, width: 0, height: 0, zIndex: LAYER };
   return (
     <Radix.Root aria-label={label} value="at" onValueChange={changed} style={place}>
       <Radix.Menu value="at">
@@ -42,7 +47,7 @@ export function MenuAt({
           loop
           side="right"
           align="start"
-          collisionPadding={FROM_EDGE}
+          collisionPadding={ROOM}
           onKeyDownCapture={(event) => {
             withinMenu(event);
             if (event.key !== "Tab") return;

@@ -32,6 +32,8 @@ interface RunStore {
   readonly console: readonly ConsoleLine[];
   /** Lines that were typed for a machine, the last at the end. */
   readonly typed: readonly string[];
+  /** The line that the machine's driver has refused, to be corrected. */
+  readonly refusedLine: string | null;
   /** Moves by hand that are kept. */
   readonly recorded: readonly Move[];
   /** What became of the wire that was bent last. */
@@ -53,6 +55,7 @@ export const useRun = create<RunStore>()(() => ({
   question: null,
   console: [],
   typed: [],
+  refusedLine: null,
   recorded: [],
   ended: null,
   runs: null,
@@ -166,6 +169,15 @@ export function hearOperator(event: OperatorEvent): void {
         );
       break;
     case "problem":
+      if (sent !== null) {
+        collect({
+          toMachine: null,
+          at: Date.now(),
+          text: `Not sent: ${sent}. ${errorText({ message: event.message })}`,
+        });
+        useRun.setState({ refusedLine: sent });
+        sent = null;
+      }
       // The section shows it beside the buttons that it is about.
       if (!useUi.getState().open.includes("run")) tellLasting("error", errorText(event), event.code);
       break;
@@ -191,6 +203,7 @@ function hearProgress(news: Extract<OperatorEvent, { event: "news" }>): void {
   const { state } = useRun.getState();
   switch (news.news) {
     case "console":
+      sent = null;
       collect({ toMachine: news.to_machine, at: Date.now(), text: news.text });
       break;
     case "warning":
@@ -284,9 +297,13 @@ export function order(what: Order): Promise<boolean> {
   return ordered(useRunFile.getState().file ? asked : ofDesign(asked));
 }
 
-/** Sends a line that was typed; whether it was taken. */
+/** The line that was typed last, until something of it is heard. */
+let sent: string | null = null;
+
+/** Sends a line that was typed; whether it was taken. A driver may refuse it afterwards. */
 export async function sendLine(line: string): Promise<boolean> {
-  useRun.setState(({ typed }) => ({ typed: withTyped(typed, line) }));
+  useRun.setState(({ typed }) => ({ typed: withTyped(typed, line), refusedLine: null }));
+  sent = line;
   return order({ order: "console", line });
 }
 

@@ -241,6 +241,9 @@ export function togglePlay(): void {
   else void play();
 }
 
+/** The wire that the view follows, where it is as the machine said last, and whether it was bent to its end since. */
+let followed: { readonly job_hash: string; readonly wire: number; step: number | null; made: boolean } | null = null;
+
 /** Changes when a wire is over: what was asked because of it comes too late then. */
 let over = 0;
 
@@ -253,11 +256,19 @@ export async function showLive({
   in_step,
 }: Pick<WireState, "job_hash" | "name" | "wire" | "made" | "in_step">): Promise<void> {
   const isShown = () => useProgram.getState().program?.job_hash === job_hash;
+  if (followed?.job_hash !== job_hash || followed.wire !== wire || followed.made) {
+    followed = { job_hash, wire, step: null, made: false };
+  }
+  const follows = followed;
   // A program that was made meanwhile is that of a design that was changed.
   if (!usePlayback.getState().live || !isShown()) {
     const before = over;
     if (!isUpToDate() && !(await makeProgram()) && !isUpToDate()) return;
-    if (before !== over) return;
+    if (before !== over) {
+      // It was bent before its program was there.
+      if (follows.made && isShown()) showEnd(wire);
+      return;
+    }
     if (!isShown()) {
       if (usePlayback.getState().live) showDesignAgain();
       return usePlayback.setState({ otherWire: name });
@@ -267,7 +278,13 @@ export async function showLive({
     show(made);
   }
   const steps = useProgram.getState().program?.wires[wire]?.steps ?? [];
-  usePlayback.setState({ live: true, step: Math.min(made + in_step, steps.length) });
+  follows.step = Math.min(made + in_step, steps.length);
+  usePlayback.setState({ live: true, step: follows.step });
+}
+
+function showEnd(wire: number): void {
+  useProgram.setState({ wire });
+  show(useProgram.getState().program?.wires[wire]?.steps.length ?? 0);
 }
 
 /** Shows a wire as far as it is bent, with what the machine has counted of the step in doubt. */
@@ -285,12 +302,13 @@ export function endLive(): void {
   if (live || otherWire !== null) usePlayback.setState({ live: false, otherWire: null });
 }
 
-/** A wire was made to its end: what followed it goes there, too. The machine's last word of its place is of a moment before. */
+/** A wire was made to its end: what follows it goes there, too. The machine's last word of its place is of a moment before. */
 export function showMade(): void {
-  const { program, wire } = useProgram.getState();
-  const steps = program?.wires[wire]?.steps.length ?? 0;
+  if (!followed) return;
+  followed.made = true;
   const { played, playing, step } = usePlayback.getState();
-  if (played && !playing && step > steps - 1) usePlayback.setState({ step: steps });
+  // A person who looks at another step goes on looking.
+  if (played && !playing && step === followed.step) showEnd(followed.wire);
 }
 
 /** The view goes back to the design as soon as that is another one: a person wants to see what they change. */

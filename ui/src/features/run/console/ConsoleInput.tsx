@@ -1,4 +1,4 @@
-import { type KeyboardEvent, useState } from "react";
+import { type KeyboardEvent, useEffect, useState } from "react";
 import { Button } from "../../../shared/controls/Button";
 import { TextInput } from "../../../shared/controls/inputs";
 import { type Recalled, recall } from "../../../state/machine/console";
@@ -11,10 +11,14 @@ const LONGEST = 256;
 
 /** A line for the machine, in its own words: Enter sends it, the arrows recall those before. */
 export function ConsoleInput() {
-  const { state, ordering, typed } = useRun();
+  const { state, ordering, typed, refusedLine } = useRun();
   const prospect = useProspect();
   const [line, setLine] = useState("");
   const [recalled, setRecalled] = useState<Recalled | null>(null);
+  // What was not taken stays to be corrected, unless the next one is being typed.
+  useEffect(() => {
+    if (refusedLine !== null) setLine((next) => (next === "" ? refusedLine : next));
+  }, [refusedLine]);
   const now = isOpen(state) ? state : null;
   const why = buttons(now, prospect).console ?? (ordering ? "An order is on its way." : null);
   // While a line is answered the next one can be typed; what takes the field away takes the keys away.
@@ -22,9 +26,9 @@ export function ConsoleInput() {
   const send = async () => {
     const text = line.trim();
     if (text === "" || why !== null) return;
-    // What was not taken stays to be corrected.
     if (!(await sendLine(text))) return;
-    setLine("");
+    // The driver may have refused it by now.
+    setLine(useRun.getState().refusedLine ?? "");
     setRecalled(null);
   };
   const onKeyDown = (event: KeyboardEvent<HTMLInputElement>) => {

@@ -23,7 +23,7 @@ const WORDS: Readonly<Record<Exclude<Question["kind"], "doubt">, readonly [strin
 
 /** What the operator asks before anything moves. Esc does nothing: it has to be answered. */
 export function QuestionDialog() {
-  const { question, ordering } = useRun();
+  const { question, ordering, state } = useRun();
   // What was said to a question before is no answer to this one.
   const [seen, setSeen] = useState<{ readonly question: number; readonly deg: number } | null>(null);
   const [missing, setMissing] = useState<number | null>(null);
@@ -31,7 +31,9 @@ export function QuestionDialog() {
   if (!question) return null;
   const { id, kind, doubt } = question;
   if (doubt) return <DoubtDialog key={id} id={id} doubt={doubt} />;
-  const [title, no, yes] = WORDS[kind === "doubt" ? "go-on" : kind];
+  const [named, no, yes] = WORDS[kind === "doubt" ? "go-on" : kind];
+  // Of several wires of one piece each is asked about, too.
+  const title = kind === "piece" && !state?.wire?.piece ? "The next wire" : named;
   const why = ordering ? "The answer is on its way." : null;
   return (
     <Dialog
