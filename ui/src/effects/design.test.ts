@@ -9,10 +9,12 @@ vi.mock("../platform", () => ({
 import type { Fix, LiveCheck } from "../generated/responses";
 import { useDesign } from "../state/design/design";
 import { showFix, useFixes } from "../state/design/fixes/fixes";
+import { select, useSelection } from "../state/design/selection";
 import { useFiles } from "../state/files/files";
 import type { WireRun } from "../state/machine/operator";
 import { useRun } from "../state/machine/run";
-import { useView } from "../state/window/view";
+import { designState } from "../state/testing";
+import { setConstructionShown, shownLines, useView } from "../state/window/view";
 import { followDesign } from "./design";
 
 let end = () => {};
@@ -44,4 +46,24 @@ it("says what became of the last wire beside no other design", () => {
   expect(useRun.getState().ended).not.toBeNull();
   useFiles.setState(({ opened }) => ({ opened: opened + 1 }));
   expect(useRun.getState().ended).toBeNull();
+});
+
+it("keeps the construction lines selected that were, and none that are hidden; a new line shows all again", () => {
+  const line = (mm: number) => [[0, 0, 0] as const, [mm, 0, 0] as const] as const;
+  const have = (...all: readonly number[]) =>
+    useDesign.setState({ state: designState({ construction_mm: all.map(line) as never }) });
+  const selected = () => [...useSelection.getState().lines];
+  have(1, 2, 3);
+  select([], [], [1, 2]);
+  have(2, 3);
+  expect(selected()).toEqual([0, 1]);
+  // Undone: it is there again, before them.
+  have(1, 2, 3);
+  expect(selected()).toEqual([1, 2]);
+  setConstructionShown(false);
+  expect([selected(), shownLines()]).toEqual([[], []]);
+  have(1, 2);
+  expect(shownLines()).toEqual([]);
+  have(1, 2, 4);
+  expect(shownLines()).toHaveLength(3);
 });

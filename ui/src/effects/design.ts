@@ -1,7 +1,7 @@
+import { linesOf, renumberWaiting } from "../state/construction/lines";
 import { lookForCollisions } from "../state/design/collisions";
 import { useDesign } from "../state/design/design";
 import { hideFix, previewGone } from "../state/design/fixes/fixes";
-import { linesOf, renumberWaiting } from "../state/design/lines";
 import { deselectLines, keepSelected, keepSelectedLines } from "../state/design/selection";
 import { forgetExports, setDespiteErrors } from "../state/files/exports";
 import { useFiles } from "../state/files/files";

@@ -32,9 +32,12 @@ it("leads through four steps once, and stands in the way of no menu", async () =
   }
   const clear = async () => {
     const boxes = await Promise.all(
-      [note, editor.page.locator(".view-corner"), editor.page.locator(".panel"), editor.page.locator(".status-bar")].map(
-        (of) => of.boundingBox(),
-      ),
+      [
+        note,
+        editor.page.locator(".view-corner"),
+        editor.page.locator(".panel"),
+        editor.page.locator(".status-bar"),
+      ].map((of) => of.boundingBox()),
     );
     const [own, ...around] = boxes.map((box) => box ?? { x: 0, y: 0, width: 0, height: 0 });
     const over = around.map(

@@ -14,7 +14,7 @@ import { openMenu } from "../../state/window/context_menu";
 import { itemsOf } from "./items";
 
 beforeEach(() => {
-  useSelection.setState({ vertices: new Set(), edges: new Set() });
+  useSelection.setState({ vertices: new Set(), edges: new Set(), lines: new Set() });
   usePlayback.setState({ played: null, live: false });
   useByHand.setState({ moves: 0, played: null });
 });
@@ -83,4 +83,17 @@ it("offers in a field what can be done with what is selected in it, and says why
     null,
     "The field cannot be changed now.",
   ]);
+});
+
+it("makes construction lines of edges, and edges of lines where these alone are selected", () => {
+  const made = () => labels(itemsOf("design")).find((label) => label.startsWith("Make"));
+  useDesign.setState({ edges: new Map([[1, { id: 1, a: 1, b: 2 }]]) });
+  useSelection.setState({ lines: new Set([0]) });
+  expect([made(), why(itemsOf("design"), "Make edges")]).toEqual(["Make edges", null]);
+  // A line is moved and deleted, and has nothing to be merged or copied.
+  expect(["Move", "Delete", "Rotate…"].map((name) => why(itemsOf("design"), name))).toEqual([null, null, null]);
+  expect(why(itemsOf("design"), "Copy")).toBe("Select vertices or edges first.");
+  useSelection.setState({ edges: new Set([1]) });
+  expect(made()).toBe("Make construction lines");
+  useDesign.setState({ edges: new Map() });
 });

@@ -1,6 +1,6 @@
 import type { SceneDesign, SceneDimensions, Selection, Vec3 } from "../../scene/interface";
+import type { Line } from "../../state/construction/lines";
 import { cornerOf, edgeOf, useExact } from "../../state/design/exact";
-import type { Line } from "../../state/design/lines";
 import { between, measured } from "../../state/design/measure";
 import { useView } from "../../state/window/view";
 

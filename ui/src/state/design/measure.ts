@@ -1,8 +1,8 @@
 /** What is between two things: vertices or edges that are selected, or any two that are measured in the view. */
 
 import type { MeasuredThing, SceneDesign, Selection, Vec3 } from "../../scene/interface";
+import type { Line } from "../construction/lines";
 import { angleAt, distance } from "./geometry";
-import type { Line } from "./lines";
 
 export interface Measured {
   /** Where the two are nearest to each other, mm. */

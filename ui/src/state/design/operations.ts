@@ -2,10 +2,10 @@ import type { EditRequest } from "../../generated/requests";
 import type { ViewChange } from "../../generated/responses";
 import type { Axis, SceneJoint, Vec3 } from "../../scene/interface";
 import { tell } from "../asking/problems";
+import { editLines, lines } from "../construction/lines";
 import { chooseTool, useView } from "../window/view";
 import { edit, useDesign } from "./design";
 import { AXES, axisIndex, axisUnit, type Bounds, boundsOf, degrees, lengthOf, type Matrix, turning } from "./geometry";
-import { editLines, lines } from "./lines";
 import { fromText, moved, pieceOf, toText } from "./piece";
 import { edgesOf, select, useSelection, verticesOf } from "./selection";
 

@@ -1,6 +1,6 @@
 import { create } from "zustand";
 import type { SceneDesign, Selection } from "../../scene/interface";
-import { type Line, placesAfter } from "./lines";
+import { type Line, placesAfter } from "../construction/lines";
 import { NOTHING, stillThere } from "./selecting";
 
 export * from "./selecting";

@@ -1,6 +1,6 @@
 import type { Vec3 } from "../../scene/interface";
+import { linesOf } from "../construction/lines";
 import { redo, undo, useDesign, whyNoChange } from "../design/design";
-import { linesOf } from "../design/lines";
 import * as operations from "../design/operations";
 import { connected, inverted, isEmpty, NOTHING, select, useSelection } from "../design/selection";
 import { quit } from "../files/closing";

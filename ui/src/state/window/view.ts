@@ -10,9 +10,9 @@ import type {
   Tool,
   Vec3,
 } from "../../scene/interface";
+import { type Line, lines } from "../construction/lines";
 import { useDesign } from "../design/design";
 import { planeThrough } from "../design/geometry";
-import { type Line, lines } from "../design/lines";
 import { surroundings, verticesOf } from "../design/selecting";
 import { select, useSelection } from "../design/selection";
 import { store, stored } from "./ui";

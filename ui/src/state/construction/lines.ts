@@ -3,8 +3,8 @@
 import type { EditRequest } from "../../generated/requests";
 import type { ViewChange } from "../../generated/responses";
 import type { Vec3 } from "../../scene/interface";
-import { type DesignState, editAsItIs, useDesign } from "./design";
-import { distance } from "./geometry";
+import { type DesignState, editAsItIs, useDesign } from "../design/design";
+import { distance } from "../design/geometry";
 
 /** A line by its two ends, mm. */
 export type Line = readonly [Vec3, Vec3];

@@ -3,11 +3,11 @@ import { beforeEach, describe, expect, it, vi } from "vitest";
 const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
+import { useDesign } from "../design/design";
+import { remove } from "../design/operations";
+import { keepSelectedLines, select, useSelection } from "../design/selection";
 import { designState } from "../testing";
-import { useDesign } from "./design";
 import { editLines, type Line, placesAfter, renumberWaiting } from "./lines";
-import { remove } from "./operations";
-import { keepSelectedLines, select, useSelection } from "./selection";
 
 /** A line of so many mm along x. */
 const line = (mm: number): Line => [
