@@ -100,8 +100,8 @@ export class Stencils implements SurfaceTargets {
     const hit = this.hit(projection.ray(x, y)) ?? this.hitAround(projection, x, y, reach);
     if (!hit) return { vertex: null, edge: null, side: null, surface: null };
     const triangles = hit.surface.fewTrianglesAround(hit.at, reach * projection.pixel(hit.at));
-    const { vertex, edge, side: whole } = nearestTargets(triangles, projection, x, y, reach);
-    if (offset === 0) return { vertex, edge, side: whole, surface: hit.at };
+    const { vertex, edge, side: piece } = nearestTargets(triangles, projection, x, y, reach);
+    if (offset === 0) return { vertex, edge, side: piece && hit.surface.whole(piece), surface: hit.at };
     const flipped = dot(hit.normal, hit.way) > 0;
     const side = flipped ? scale(hit.normal, -1) : hit.normal;
     const off = (at: Vec3 | null, on: readonly Candidate[]) => at && lifted(at, on, side, flipped, offset);

@@ -16,7 +16,8 @@ import {
 import { MeshBVH } from "three-mesh-bvh";
 import { GLSL, type Shared } from "../drawing/shading";
 import type { Colour, SceneStencil, Vec3 } from "../interface";
-import type { Candidate } from "../picking/stencil_targets";
+import type { Line } from "../picking/snap";
+import { type Candidate, wholeSide } from "../picking/stencil_targets";
 import { AXES, cross, direction, ORIGIN, type Ray, subtract } from "../vec";
 import type { Held } from "./chosen";
 
@@ -42,6 +43,9 @@ void main() {
   gl_FragColor = vec4(faded(lit(colour, normal), -vPlace.z, gl_FragCoord.xy), min(seen, 1.0));
 }`;
 
+/** Triangles that are so near to a corner have it, as a share of how large the surface is. */
+const TOUCHING = 1e-6;
+
 /** Triangles that are looked at for one place. */
 const MANY = 200;
 
@@ -53,6 +57,8 @@ export class Surface {
   private readonly inverse = new Matrix4();
   /** One mm of the surface, in mm of the design. */
   private scale = 1;
+  /** The side that was looked at last, and all of it. */
+  private last: { readonly name: string; readonly whole: Line } | null = null;
 
   /** `depth`: what is drawn first of every surface; see `depthMaterial`. */
   constructor(
@@ -92,6 +98,7 @@ export class Surface {
     this.inverse.copy(this.group.matrix).invert();
     this.scale = Math.hypot(x[0], y[0], z[0]);
     this.group.visible = !hidden;
+    this.last = null;
   }
 
   paint(colour: Colour, opacity: number): void {
@@ -150,6 +157,16 @@ export class Surface {
       triangles = this.trianglesAround(centre, radius);
     }
     return triangles;
+  }
+
+  /** A side of a triangle with all that goes on straight from its ends, found once for the side that the pointer is on. */
+  whole(side: Line): Line {
+    const name = side.flat().join();
+    if (this.last?.name !== name) {
+      const whole = wholeSide(side, (corner) => this.trianglesAround(corner, this.radius * TOUCHING));
+      this.last = { name, whole };
+    }
+    return this.last.whole;
   }
 
   dispose(): void {

@@ -48,7 +48,7 @@ export interface SnapTarget {
 export interface StencilTargets {
   readonly vertex: Vec3 | null;
   readonly edge: Vec3 | null;
-  /** The side of a triangle that the place on an edge is on; none of what is off the surface. */
+  /** The straight side of the surface that the place on an edge is on, from end to end; none of what is off the surface. */
   readonly side: Line | null;
   readonly surface: Vec3 | null;
 }

@@ -117,3 +117,65 @@ it("measures the stencil itself, also where tracing is off it", () => {
   click(201, 99);
   expect(told()).toEqual([point(200, 0, 100)]);
 });
+
+it("measures a straight side of the stencil as a whole, where triangles cut it into pieces and the stencil is turned", () => {
+  // A plate, as a fan from a place inside of it: its lower border is in four pieces, the left one in two.
+  const border = [0, 0, 30.3, 0, 33.3, 0, 70.1, 0, 100, 0, 100, 50, 0, 50, 0, 21];
+  const corners = Array.from({ length: border.length / 2 }, (_, i) => [border[2 * i], border[2 * i + 1], 0]);
+  const [c, s] = [Math.cos(0.3), Math.sin(0.3)];
+  stage.setStencils([
+    {
+      id: 2,
+      surface: {
+        positions: new Float32Array([[40, 20, 0], ...corners].flat() as number[]),
+        triangles: new Uint32Array(corners.flatMap((_, i) => [0, i + 1, ((i + 1) % corners.length) + 1])),
+      },
+      // Stands upright, and is turned by 0.3 rad in the plane that is seen.
+      matrix: [
+        [c, -s, 0, 150],
+        [0, 0, 1, 0],
+        [s, c, 0, 20],
+      ],
+      colour: null,
+      hidden: false,
+    },
+  ]);
+  const placed = ([x, y]: readonly [number, number]): [number, number] => [150 + c * x - s * y, 20 + s * x + c * y];
+  const side = (a: readonly [number, number], b: readonly [number, number]) => {
+    const end = ([x, z]: [number, number]) => [x, 0, z].map((mm) => expect.closeTo(mm, 4));
+    return { from: end(placed(a)), to: end(placed(b)) };
+  };
+  for (const [on, a, b] of [
+    [
+      [10, 1],
+      [0, 0],
+      [100, 0],
+    ],
+    [
+      [32, 1],
+      [0, 0],
+      [100, 0],
+    ],
+    [
+      [50, 1],
+      [0, 0],
+      [100, 0],
+    ],
+    [
+      [50, 49],
+      [100, 50],
+      [0, 50],
+    ],
+    [
+      [1, 35],
+      [0, 50],
+      [0, 0],
+    ],
+  ] as const) {
+    // Away from corners, which come first.
+    stage.snap = { ...stage.snap, reach: 1.4 };
+    click(...placed(on));
+    expect(told()).toEqual([side(a, b)]);
+    tool.cancel();
+  }
+});
