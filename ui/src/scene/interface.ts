@@ -209,6 +209,8 @@ export interface SceneListener {
    * to the listener.
    */
   stroke(stroke: Stroke): Promise<number | null>;
+  /** The same of a construction line; whether it was made. */
+  line(from: Vec3, to: Vec3): Promise<boolean>;
   strandEnded(): void;
   /** None, the first, or the two that are measured between; the second may be what the pointer is on. */
   measuring(things: readonly MeasuredThing[]): void;

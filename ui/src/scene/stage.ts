@@ -53,6 +53,8 @@ export class Stage {
   readonly design = new DrawnDesign();
   theme: Theme = THEMES.dark;
   tool: Tool = "select";
+  /** What a click of a strand makes. */
+  draws: "edge" | "line" = "edge";
   snap: SnapSettings = DEFAULT_SNAP;
   /** Lines to snap to that are no wire. */
   readonly construction = new Construction();

@@ -196,6 +196,12 @@ export class Viewport {
     this.frames.request();
   }
 
+  /** Whether strands are edges or construction lines. */
+  setDraws(draws: "edge" | "line"): void {
+    this.stage.draws = draws;
+    this.tools.drawsChanged();
+  }
+
   setSnap(snap: SnapSettings): void {
     this.stage.snap = snap;
     this.frames.request();

@@ -215,7 +215,7 @@ fn lines_alone_are_not_flattened_nor_copied_without_end() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig::with_cases(24))]
 
     /// Whatever is moved together, undo gives back the very same document, and the wire moves as without lines.
     #[test]

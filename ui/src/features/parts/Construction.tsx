@@ -103,7 +103,9 @@ export function Construction({ lines }: { readonly lines: readonly Line[] }) {
           Delete all
         </Button>
       </div>
-      <p className="muted small">To measure and to snap to; never bent. Select edges and press K for more.</p>
+      <p className="muted small">
+        To measure and to snap to; never bent. Shift+K draws more, K makes them of selected edges.
+      </p>
     </Piece>
   );
 }

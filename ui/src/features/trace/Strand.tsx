@@ -14,25 +14,29 @@ export function Strand() {
 }
 
 function State() {
-  const { tool, strand, handle } = useView();
+  const { tool, constructing, strand, handle } = useView();
   const stencil = useDesign(({ surfaces }) => surfaces.size > 0);
-  if (tool === "select")
+  if (tool !== "trace" && tool !== "draw")
     return <p className="muted">Choose one of the two tools, then click in the view. Each click places a vertex.</p>;
   if (strand === null) {
     return (
       <p className="muted" role="status">
-        {tool === "draw"
-          ? "Click on the plane to begin a strand. Its edges go in steps of 15°; Shift frees them."
-          : stencil
-            ? "Click on the stencil to begin a strand."
-            : "Click to begin a strand. Without a stencil it lies on the ground plane."}
+        {constructing
+          ? "Click to begin a construction line: to measure and to snap to."
+          : tool === "draw"
+            ? "Click on the plane to begin a strand. Its edges go in steps of 15°; Shift frees them."
+            : stencil
+              ? "Click on the stencil to begin a strand."
+              : "Click to begin a strand. Without a stencil it lies on the ground plane."}
       </p>
     );
   }
   return (
     <div className="row wrap" role="status">
-      <span className="muted small">Type a length, after Tab an angle, and press Enter to place the edge.</span>
-      <span className="grow">{count(strand, "edge")} drawn</span>
+      <span className="muted small">
+        Type a length, after Tab an angle, and press Enter to place the {constructing ? "line" : "edge"}.
+      </span>
+      <span className="grow">{count(strand, constructing ? "line" : "edge")} drawn</span>
       <Button
         onClick={() => {
           handle?.cancel();

@@ -19,6 +19,7 @@ import {
   putPlane,
   SNAP_KINDS,
   selectedPlane,
+  setConstructing,
   toggleSnap,
   useView,
 } from "../../state/window/view";
@@ -144,7 +145,7 @@ function Plane() {
 
 /** The surface that is traced on, what clicks snap to, and the strand that is being drawn. */
 export function TraceSection() {
-  const { tool, snapKinds, grid, reach, planeOffset } = useView();
+  const { tool, constructing, snapKinds, grid, reach, planeOffset } = useView();
   const stencils = useDesign((design) => design.state?.stencils ?? NO_STENCILS).filter(({ surface }) => surface);
   const faces = stencils.reduce((sum, { surface }) => sum + (surface?.faces ?? 0), 0);
   const none = stencils.length === 0 ? "No stencil" : null;
@@ -176,6 +177,9 @@ export function TraceSection() {
             Draw on a plane
           </Button>
         </div>
+        <Checkbox checked={constructing} onChange={setConstructing}>
+          Construction line: never bent <kbd>{keyOf("draw-construction")}</kbd>
+        </Checkbox>
         <Strand />
         <Plane />
         <Field label="Offset">

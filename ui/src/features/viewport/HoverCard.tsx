@@ -28,7 +28,7 @@ const SNAP_NAMES: Readonly<Record<SnapKind, string>> = {
 };
 
 /** The same where nothing is split by a click. */
-const MEASURED_NAMES: Readonly<Partial<Record<SnapKind, string>>> = {
+const WHOLE_NAMES: Readonly<Partial<Record<SnapKind, string>>> = {
   "edge-middle": "Middle of an edge",
   edge: "Edge",
   construction: "Construction line",
@@ -37,7 +37,7 @@ const MEASURED_NAMES: Readonly<Partial<Record<SnapKind, string>>> = {
 /** What is under the pointer, in words and figures. */
 export function HoverCard() {
   const hovered = useView((view) => view.hovered);
-  const measures = useView(({ tool }) => tool === "measure");
+  const splits = useView(({ tool, constructing }) => (tool === "trace" || tool === "draw") && !constructing);
   const played = usePlayback(({ played }) => played !== null);
   const menu = useContextMenu(({ opened }) => opened !== null);
   const byHand = useByHand(({ played }) => played !== null);
@@ -79,7 +79,7 @@ export function HoverCard() {
     title = `Construction line ${hovered.id + 1} · ${length(distance(line[0], line[1]))}`;
     sub = "never bent";
   } else {
-    title = (measures ? MEASURED_NAMES[hovered.snap] : undefined) ?? SNAP_NAMES[hovered.snap];
+    title = (splits ? undefined : WHOLE_NAMES[hovered.snap]) ?? SNAP_NAMES[hovered.snap];
     sub = at(hovered.at);
   }
   return (

@@ -12,17 +12,26 @@ const CLICKS: Readonly<Record<Tool, string>> = {
   measure: "Measure: click two things, Esc ends",
 };
 
+/** The same of the tools that draw, while they draw construction lines. */
+const CONSTRUCTS: Readonly<Partial<Record<Tool, string>>> = {
+  trace: "Construction line: click for each end, Esc ends",
+  draw: "Construction line: click for each end, Esc ends",
+};
+
 /** How the view is turned, moved and brought nearer, whatever the left button does. */
 const MOVES = ["Orbit: right or middle button", "Pan: Shift and middle button", "Zoom: wheel"];
 
 /** What the pointer does in the view, in a quiet line at its foot; in two, and parted between the clauses, where one is too long. */
 export function PointerHint() {
   const tool = useView((view) => view.tool);
+  const constructing = useView((view) => view.constructing);
   const played = usePlayback(({ played }) => played !== null);
   const byHand = useByHand(({ played }) => played !== null);
   return (
     <p className="pointer-hint">
-      {!played && !byHand && <span className="pointer-hint-tool">{CLICKS[tool]}</span>}
+      {!played && !byHand && (
+        <span className="pointer-hint-tool">{(constructing ? CONSTRUCTS[tool] : undefined) ?? CLICKS[tool]}</span>
+      )}
       {MOVES.map((move) => (
         <span key={move}>{move}</span>
       ))}

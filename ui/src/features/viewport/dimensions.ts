@@ -1,4 +1,4 @@
-import type { SceneDesign, SceneDimensions, Selection, Vec3 } from "../../scene/interface";
+import type { SceneDesign, SceneDimensions, Selection } from "../../scene/interface";
 import type { Line } from "../../state/construction/lines";
 import { cornerOf, edgeOf, useExact } from "../../state/design/exact";
 import { between, measured } from "../../state/design/measure";
@@ -16,8 +16,7 @@ export function dimensionsOf(
   const [edge, corner] = [edgeOf(selection, design), cornerOf(selection, design)];
   const { measuring } = useView.getState();
   const [one, other] = measuring;
-  const distance =
-    one && other ? between(one, other) : (measured(selection, design, lines) ?? onlyLine(selection, lines));
+  const distance = one && other ? between(one, other) : measured(selection, design, lines);
   const { end, side } = useExact.getState();
   const stays = typeof edge !== "string" ? edge.ends[end] : typeof corner !== "string" ? corner.ends[side] : null;
   return {
@@ -27,11 +26,4 @@ export function dimensionsOf(
     corners: typeof corner === "string" ? [] : [corner],
     stays,
   };
-}
-
-/** The construction line that is all of a selection, from end to end. */
-function onlyLine({ vertices, edges, lines }: Selection, all: readonly Line[]): { from: Vec3; to: Vec3 } | null {
-  const [place] = lines;
-  const line = vertices.size + edges.size === 0 && lines.size === 1 ? all[place ?? -1] : undefined;
-  return line ? { from: line[0], to: line[1] } : null;
 }

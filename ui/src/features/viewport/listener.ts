@@ -67,6 +67,15 @@ async function stroke(asked: Stroke): Promise<number | null> {
   return next;
 }
 
+/** Makes a construction line of a strand; whether it was made. */
+async function line(from: Vec3, to: Vec3): Promise<boolean> {
+  const before = ended;
+  const through_mm = [from, to].map((at) => [...at] as [number, number, number]);
+  const made = await edit({ edit: "construction", change: { make: "draw", through_mm } });
+  if (made && before === ended) useView.setState(({ strand }) => ({ strand: (strand ?? 0) + 1 }));
+  return made !== null;
+}
+
 /** What is done with what the view reports; `corner` is its own in the window, px. */
 export function listenerOf(corner: () => { readonly left: number; readonly top: number }): SceneListener {
   return {
@@ -82,6 +91,7 @@ export function listenerOf(corner: () => { readonly left: number; readonly top: 
     stencilTurned: async (stencil, axis, angle_deg) =>
       void (await edit({ edit: "turn-stencil", stencil, axis, angle_deg })),
     stroke,
+    line,
     strandEnded: () => {
       ended += 1;
       useView.setState({ strand: null });

@@ -191,6 +191,11 @@ export function show(scene: Scene): () => void {
     ),
     follow(
       useView,
+      ({ constructing }) => [constructing],
+      ({ constructing }) => scene.setDraws(constructing ? "line" : "edge"),
+    ),
+    follow(
+      useView,
       ({ snapKinds, grid, reach }) => [snapKinds, grid, reach],
       ({ snapKinds, grid, reach }) => scene.setSnap({ kinds: snapKinds, grid, reach }),
     ),

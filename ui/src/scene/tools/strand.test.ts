@@ -1,5 +1,5 @@
-import { expect, it } from "vitest";
-import type { Stroke } from "../interface";
+import { describe, expect, it } from "vitest";
+import type { Stroke, Vec3 } from "../interface";
 import type { SnapTarget } from "../picking/snap";
 import { type Asked, Strand } from "./strand";
 
@@ -16,6 +16,7 @@ async function clicked(targets: (SnapTarget | Asked)[], answer: (n: number) => n
       strokes.push(stroke);
       return answer(strokes.length - 1);
     },
+    async () => false,
     () => undefined,
     () => (ended += 1),
   );
@@ -106,10 +107,82 @@ it("is over when the listener says so, and when a stroke cannot be made", async 
   expect((await clicked([place(1), place(2)], () => null)).strand.end).toBeNull();
   const strand = new Strand(
     () => Promise.reject(new Error("no such edge")),
+    async () => false,
     () => undefined,
     () => undefined,
   );
   await strand.click(place(1));
   await expect(strand.click(place(2))).rejects.toThrow("no such edge");
   expect(strand.end).toBeNull();
+});
+
+describe("a strand of construction lines", () => {
+  /** Clicks in a row, each of an edge or a line. */
+  async function drawn(clicks: readonly (readonly [SnapTarget, "edge" | "line"])[], made = true) {
+    const lines: (readonly [Vec3, Vec3])[] = [];
+    const strokes: Stroke[] = [];
+    let ended = 0;
+    const strand = new Strand(
+      async (stroke) => 50 + strokes.push(stroke),
+      async (from, to) => {
+        lines.push([from, to]);
+        return made;
+      },
+      () => undefined,
+      () => (ended += 1),
+    );
+    await Promise.all(clicks.map(([target, draws]) => strand.click(target, draws)));
+    return { lines, strokes, strand, ended };
+  }
+
+  it("goes on from line to line, and makes no edge", async () => {
+    const { lines, strokes, strand } = await drawn([
+      [place(1), "line"],
+      [place(2), "line"],
+      [place(3), "line"],
+    ]);
+    expect(lines.map(([[from], [to]]) => [from, to])).toEqual([
+      [1, 2],
+      [2, 3],
+    ]);
+    expect([strokes, strand.end]).toEqual([[], { kind: "line", at: [3, 0, 0] }]);
+  });
+
+  it.each([
+    ["a vertex", vertex(4)],
+    ["an edge, which is not split", edge(7, 2)],
+    ["another construction line", { kind: "construction", at: [9, 0, 0] } as const],
+  ])("begins and ends at %s", async (_, target) => {
+    const { lines, strokes, strand, ended } = await drawn([
+      [vertex(1), "line"],
+      [target, "line"],
+    ]);
+    expect(lines).toEqual([[[100, 5, 0], target.at]]);
+    expect([strokes, strand.end, ended]).toEqual([[], null, 1]);
+  });
+
+  it("goes on as edges, from the vertex that it began at or from where the last line ends", async () => {
+    const { strokes } = await drawn([
+      [vertex(1), "line"],
+      [place(2), "edge"],
+    ]);
+    expect(strokes).toEqual([{ from: 1, through: [[2, 0, 0]], to: null, split: null }]);
+    const mixed = await drawn([
+      [place(1), "line"],
+      [place(2), "line"],
+      [place(3), "edge"],
+    ]);
+    expect(mixed.strokes).toMatchObject([{ from: null, through: [place(2).at, place(3).at] }]);
+  });
+
+  it("is over where a line could not be made", async () => {
+    const { strand, ended } = await drawn(
+      [
+        [place(1), "line"],
+        [place(2), "line"],
+      ],
+      false,
+    );
+    expect([strand.end, ended]).toEqual([null, 1]);
+  });
 });

@@ -4,10 +4,10 @@ import type { Stroke, Vec3 } from "../interface";
 import type { SnapTarget } from "../picking/snap";
 import { distance } from "../vec";
 
-/** Where the next edge begins: a vertex that is there, or a place that the first click has chosen and nothing has yet. */
+/** Where the next edge begins: a vertex or an edge that is there, the end of a construction line, or a place that the first click has chosen and nothing has yet. */
 export type StrandEnd =
   | { readonly kind: "vertex"; readonly id: number; readonly at: Vec3 }
-  | { readonly kind: "place"; readonly at: Vec3 }
+  | { readonly kind: "place" | "line"; readonly at: Vec3 }
   | { readonly kind: "edge"; readonly id: number; readonly along: number; readonly at: Vec3 };
 
 /** A click whose place hangs on where its edge begins; null where there is none. */
@@ -25,15 +25,19 @@ export class Strand {
 
   constructor(
     private readonly stroke: (stroke: Stroke) => Promise<number | null>,
+    private readonly line: (from: Vec3, to: Vec3) => Promise<boolean>,
     private readonly changed: () => void,
     private readonly ended: () => void,
   ) {}
 
-  /** Resolves when the click was dealt with; rejects when the stroke could not be made, the strand is over then. */
-  click(target: SnapTarget | Asked): Promise<void> {
+  /**
+   * Resolves when the click was dealt with; rejects when the stroke could not be made, the strand is over then. `draws`: an edge, or a
+   * construction line.
+   */
+  click(target: SnapTarget | Asked, draws: "edge" | "line" = "edge"): Promise<void> {
     const { generation } = this;
     const done = this.queue.then(async () => {
-      if (generation === this.generation) await this.take(target);
+      if (generation === this.generation) await this.take(target, draws);
     });
     this.queue = done.catch(() => undefined);
     return done;
@@ -47,7 +51,7 @@ export class Strand {
     return open;
   }
 
-  private async take(asked: SnapTarget | Asked): Promise<void> {
+  private async take(asked: SnapTarget | Asked, draws: "edge" | "line"): Promise<void> {
     const { end } = this;
     const target = typeof asked === "function" ? end && asked(end.at) : asked;
     if (!target) return;
@@ -59,6 +63,15 @@ export class Strand {
     if (distance(end.at, target.at) < SAME || (end.kind === "vertex" && end.id === target.vertex)) return;
     const { generation } = this;
     try {
+      if (draws === "line") {
+        const made = await this.line(end.at, target.at);
+        if (generation !== this.generation) return;
+        if (meets(target)) return this.finish();
+        if (!made) return void this.cancel();
+        this.end = { kind: "line", at: target.at };
+        this.changed();
+        return;
+      }
       let from = end.kind === "vertex" ? end.id : null;
       if (end.kind === "edge" && target.edge !== undefined) {
         from = await this.stroke({
@@ -96,8 +109,13 @@ function begun({ at, vertex, edge, along }: SnapTarget): StrandEnd {
   return { kind: "place", at };
 }
 
+/** Whether a construction line ends there: at the wire, or at another line. */
+function meets({ kind, vertex, edge }: SnapTarget): boolean {
+  return vertex !== undefined || edge !== undefined || kind === "construction";
+}
+
 function strokeTo(end: StrandEnd, target: SnapTarget): Stroke {
-  const through = end.kind === "place" ? [end.at] : [];
+  const through = end.kind === "place" || end.kind === "line" ? [end.at] : [];
   const from = end.kind === "vertex" ? end.id : null;
   if (target.vertex !== undefined) return { from, through, to: target.vertex, split: splitAtEnd(end) };
   if (target.edge !== undefined)

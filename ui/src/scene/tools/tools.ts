@@ -30,6 +30,11 @@ export class Tools {
     this.measure.leave();
   }
 
+  /** Clicks of a strand make something else. */
+  drawsChanged(): void {
+    this.trace.drawsChanged();
+  }
+
   designChanged(): void {
     this.select.designChanged();
     this.trace.designChanged();
@@ -39,6 +44,7 @@ export class Tools {
   /** Construction lines have changed, or are shown no more. */
   linesChanged(): void {
     this.select.linesChanged();
+    this.trace.linesChanged();
     this.measure.designChanged();
   }
 }

@@ -5,13 +5,16 @@ import type { Guide } from "../drawing/tubes";
 import type { DrawingPlane, SceneListener, SnapKind } from "../interface";
 import { GROUND } from "../layers/grid";
 import type { Overlay } from "../layers/overlay";
-import { inDirections, type SnapTarget, snap } from "../picking/snap";
+import { inDirections, type Line, type SnapTarget, snap } from "../picking/snap";
 import type { Stage } from "../stage";
-import { middle } from "../vec";
+import { distance, middle } from "../vec";
 import { ClickTool } from "./click_tool";
 import type { Place } from "./pointer";
 import { type Asked, Strand } from "./strand";
 import { TypedEdge } from "./typed_edge";
+
+/** mm that a place may differ by on its way to the design and back. */
+const SAME = 1e-6;
 
 /** Clicks nearer than this are one, CSS pixels. */
 const ONE_PLACE = 4;
@@ -39,6 +42,7 @@ export class TraceTool extends ClickTool {
     super(stage, listener, overlay);
     this.strand = new Strand(
       (stroke) => listener.stroke(stroke),
+      (from, to) => listener.line(from, to),
       () => this.show(),
       () => {
         this.typed.clear();
@@ -61,7 +65,7 @@ export class TraceTool extends ClickTool {
   private take(target: SnapTarget | Asked | null): void {
     this.typed.clear();
     // The code that makes the stroke reports why it could not be made; the strand is over then.
-    if (target) this.strand.click(target).catch(() => undefined);
+    if (target) this.strand.click(target, this.stage.draws).catch(() => undefined);
     this.show();
   }
 
@@ -109,6 +113,19 @@ export class TraceTool extends ClickTool {
     } else if (end?.kind === "edge" && design.edgeRow(end.id) === undefined) {
       this.cancel();
     }
+    this.show();
+  }
+
+  /** Nor from the end of a construction line that was undone. */
+  linesChanged(): void {
+    const { end } = this.strand;
+    const isThere = (line: Line): boolean => line.some((at) => end && distance(at, end.at) < SAME);
+    if (end?.kind === "line" && !this.stage.construction.all.some(isThere)) this.cancel();
+    this.show();
+  }
+
+  /** The edge or construction line that a click makes: another one from now on. */
+  drawsChanged(): void {
     this.show();
   }
 
@@ -180,18 +197,19 @@ export class TraceTool extends ClickTool {
     const { stage } = this;
     const { end } = this.strand;
     const target = this.target();
-    const { acted } = stage.theme;
+    const constructs = stage.draws === "line";
+    const colour = constructs ? stage.theme.stencil : stage.theme.acted;
     const signs: Sign[] = [];
     const lines: Guide[] = [];
-    if (end) signs.push({ at: end.at, shape: "dot", colour: acted, radius: 9 });
-    if (target) signs.push({ at: target.at, shape: SNAP_SHAPES[target.kind], colour: acted, radius: 8.5 });
-    if (end && target) lines.push({ from: end.at, to: target.at, look: { colour: acted } });
+    if (end) signs.push({ at: end.at, shape: "dot", colour, radius: 9 });
+    if (target) signs.push({ at: target.at, shape: SNAP_SHAPES[target.kind], colour: stage.theme.acted, radius: 8.5 });
+    if (end && target) lines.push({ from: end.at, to: target.at, look: { colour } });
     stage.mark("trace", signs, lines);
     const text = end && target && this.typed.dimensions(end.at, target.at, this.plane, stage.lengths);
     stage.setBand(
       text ? { at: middle([end.at, target.at]), text, verdict: null, beside: [end.at, target.at], first: true } : null,
     );
-    this.read(text && this.typed.readout(text));
+    this.read(text && this.typed.readout(text, stage.draws));
     this.tellHovered(this.typed.begun ? null : target);
   }
 

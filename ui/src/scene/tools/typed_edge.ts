@@ -69,8 +69,9 @@ export class TypedEdge {
   }
 
   /** The same in the foot of the view, with the keys that go on. */
-  readout(dimensions: string): string {
-    if (!this.begun) return `edge ${dimensions}   Tab: angle`;
-    return `edge ${dimensions}   Tab: ${this.field === "length" ? "angle" : "length"}, Enter: place`;
+  readout(dimensions: string, draws: "edge" | "line" = "edge"): string {
+    const name = draws === "line" ? "construction line" : "edge";
+    if (!this.begun) return `${name} ${dimensions}   Tab: angle`;
+    return `${name} ${dimensions}   Tab: ${this.field === "length" ? "angle" : "length"}, Enter: place`;
   }
 }

@@ -37,6 +37,7 @@ import {
   planeOf,
   type Side,
   setAnnotations,
+  setConstructing,
   setConstructionShown,
   setDimensions,
   shownLines,
@@ -233,6 +234,7 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
     () => void operations.toConstruction(),
     () => (useSelection.getState().lines.size > 0 ? null : edges("make construction lines of")()),
   ),
+  "draw-construction": { run: () => setConstructing(!useView.getState().constructing) },
   connect: change(() => void operations.connect(), vertices(2, "connect")),
   "view-front": view("front"),
   "view-back": view("back"),
@@ -293,5 +295,12 @@ export function useWhyNot(id: CommandId): string | null {
 export function designReplaced(): void {
   useView.getState().handle?.cancel();
   useSelection.setState({ ...NOTHING, highlight: NOTHING });
-  useView.setState({ preview: null, strand: null, ownPlane: null, chosenStencil: null, constructionShown: true });
+  useView.setState({
+    preview: null,
+    strand: null,
+    ownPlane: null,
+    chosenStencil: null,
+    constructing: false,
+    constructionShown: true,
+  });
 }

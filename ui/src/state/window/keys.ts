@@ -38,6 +38,7 @@ export type CommandId =
   | "merge"
   | "connect"
   | "construction"
+  | "draw-construction"
   | "view-front"
   | "view-back"
   | "view-right"
@@ -114,6 +115,12 @@ export const KEYS: readonly KeyEntry[] = [
     command: "construction",
     label: "Make construction lines of the selected edges, or edges of such lines",
     keys: ["K"],
+    group: "Tools",
+  },
+  {
+    command: "draw-construction",
+    label: "Draw construction lines instead of edges, or edges again",
+    keys: ["Shift+K"],
     group: "Tools",
   },
   { command: "fillet", label: "Fillet: round the selected corners by a radius", keys: ["B"], group: "Tools" },

@@ -70,6 +70,8 @@ interface ViewStore {
   /** Null before the view is there. */
   readonly handle: ViewHandle | null;
   readonly tool: Tool;
+  /** Whether strands are construction lines instead of edges. */
+  readonly constructing: boolean;
   readonly snapKinds: ReadonlySet<SnapKind>;
   /** Of the grid that is snapped to, mm. */
   readonly grid: number;
@@ -123,6 +125,7 @@ const USUAL_GRID: Readonly<Record<DisplayUnit, number>> = { mm: 5, inch: 6.35 };
 export const useView = create<ViewStore>()(() => ({
   handle: null,
   tool: "select",
+  constructing: false,
   snapKinds: new Set(SNAP_KINDS),
   grid: USUAL_GRID[useUnits.getState().unit],
   reach: 12,
@@ -152,6 +155,13 @@ export function gridFollows(unit: DisplayUnit, before: DisplayUnit): void {
 export function chooseTool(tool: Tool): void {
   useView.getState().handle?.cancel();
   useView.setState({ tool, strand: null });
+}
+
+/** Draws construction lines, or edges again; with a tool that draws. */
+export function setConstructing(constructing: boolean): void {
+  const { tool } = useView.getState();
+  useView.setState({ constructing });
+  if (constructing && tool !== "trace" && tool !== "draw") chooseTool("draw");
 }
 
 /** Chooses a stencil to place; the wire is not selected meanwhile. */
