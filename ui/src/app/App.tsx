@@ -28,6 +28,7 @@ import { TraceSection } from "../features/trace/TraceSection";
 import { Hit } from "../features/viewport/Hit";
 import { HoverCard } from "../features/viewport/HoverCard";
 import { Measuring } from "../features/viewport/Measuring";
+import { PlanePoints } from "../features/viewport/PlanePoints";
 import { PointerHint } from "../features/viewport/PointerHint";
 import { ViewCube } from "../features/viewport/ViewCube";
 import { Viewport } from "../features/viewport/Viewport";
@@ -48,6 +49,7 @@ export function App() {
           <div className="view-foot">
             <div className="view-foot-rows">
               <Measuring />
+              <PlanePoints />
               <OpenNotes />
               <PointerHint />
             </div>

@@ -111,7 +111,15 @@ export type Tool =
   /** The same on a plane, for flat parts. */
   | "draw"
   /** Two clicks measure between what they take; the design stays as it is. */
-  | "measure";
+  | "measure"
+  /** Three clicks put the plane that is drawn on through what they take. */
+  | "plane";
+
+/** A point that a plane is put on, and its vertex where it is one. */
+export interface PlanePoint {
+  readonly at: Vec3;
+  readonly vertex: number | null;
+}
 
 /** What is measured from or to, mm: a straight piece, or a place, which has both ends where it is. */
 export interface MeasuredThing {
@@ -214,6 +222,8 @@ export interface SceneListener {
   strandEnded(): void;
   /** None, the first, or the two that are measured between; the second may be what the pointer is on. */
   measuring(things: readonly MeasuredThing[]): void;
+  /** The points that were taken for a plane, none in line with two others: three are all. */
+  planePoints(points: readonly PlanePoint[]): void;
   /** "Front", "Back", "Right", "Left", "Top", "Bottom", "Parallel", or "Perspective": also once the view was turned, so that a name no longer holds. */
   viewChanged(name: string): void;
   /** At the first frame, and at each in which the view has another direction than in the one before. */

@@ -253,7 +253,7 @@ it("draws on a plane through three vertices", async () => {
   await editor.loopback.ask("edit", { request: { edit: "draw", through_mm: corners.map((at) => [...at]) } });
   await editor.reload("trace", "edit");
   await editor.section("edit").locator(".section-phrase", { hasText: "3 vert" }).waitFor();
-  expect(await trace().getByTitle("Select three vertices first.").count()).toBe(1);
+  await trace().getByText("Points: through three selected vertices, or three clicks.").waitFor();
   await editor.page.locator(".viewport canvas").focus();
   await editor.page.keyboard.press("a");
   await trace().getByText("Points", { exact: true }).click();

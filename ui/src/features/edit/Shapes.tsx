@@ -52,6 +52,12 @@ function usePlane() {
   return { value, own, through: ownPlane?.through ?? null, choose };
 }
 
+/** Where the axes of the plane on three points lead. */
+function axesText([a = null, b = null, c = null]: readonly (number | null)[]): string {
+  if (a === null || b === null || c === null) return "Points: X from the first to the second, Y towards the third.";
+  return `Points: X from vertex ${a} to ${b}, Y towards ${c}, Z off the plane.`;
+}
+
 /** How long the edges of a shape get, against what the machine can make, and how many would fit. */
 function Edges({ of, take }: { readonly of: ShapeRequest; readonly take: (sides: number) => void }) {
   const answer = useOutcome("shape", of);
@@ -95,7 +101,6 @@ export function Shapes() {
     return { edit: "helix", ...at, radius_mm, ...winding };
   };
   const size = shape === "polygon" ? (MEASURES.find(({ value }) => value === measure)?.label ?? "Size") : "Radius";
-  const [a, b, c] = plane.through ?? [];
   const names = { circle: "Edges", polygon: "Sides", helix: "Edges per turn" };
   return (
     <fieldset className="stack" aria-label="Shapes">
@@ -105,10 +110,7 @@ export function Shapes() {
       ) : (
         <PlaceFields at={centre} change={setCentre} label="Centre" />
       )}
-      <Field
-        label="Plane"
-        hint={a !== undefined && `Points: X from vertex ${a} to ${b}, Y towards ${c}, Z off the plane.`}
-      >
+      <Field label="Plane" hint={plane.through && axesText(plane.through)}>
         {() => (
           <Segmented<PlaneName | "points">
             label="Plane of the shape"

@@ -7,7 +7,6 @@ import { Checkbox, Segmented, Slider } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
 import { count, percent, roughly } from "../../shared/figures/format";
 import { type DesignState, useDesign } from "../../state/design/design";
-import { useSelection } from "../../state/design/selection";
 import { diameterOf, needMachines, useMachines } from "../../state/machine/machines";
 import { run } from "../../state/window/commands";
 import { keyOf } from "../../state/window/keys";
@@ -18,7 +17,6 @@ import {
   type PlaneName,
   putPlane,
   SNAP_KINDS,
-  selectedPlane,
   setConstructing,
   toggleSnap,
   useView,
@@ -110,19 +108,26 @@ function Stencils({ none }: { readonly none: string | null }) {
   );
 }
 
-/** Which plane is drawn on: of the axes, or on three vertices. As high whichever it is. */
+/** What the plane of a person's own is put on. */
+function throughText(through: readonly (number | null)[]): string {
+  const [a, b, c] = through;
+  return through.includes(null) ? "Through three points." : `Through vertices ${a}, ${b} and ${c}.`;
+}
+
+/** Which plane is drawn on: of the axes, or on three points. As high whichever it is. */
 function Plane() {
-  const { plane, ownPlane } = useView();
-  useDesign();
-  useSelection();
-  const found = selectedPlane();
-  const [a, b, c] = ownPlane?.through ?? [];
+  const { tool, plane, ownPlane } = useView();
+  const puts = tool === "plane";
   return (
     <Field
       label="Plane"
       hint={
         <span className="plane-hint">
-          {ownPlane ? `Through vertices ${a}, ${b} and ${c}.` : "Points: through three selected vertices."}
+          {puts
+            ? "Click three points in the view, Esc ends."
+            : ownPlane
+              ? throughText(ownPlane.through)
+              : "Points: through three selected vertices, or three clicks."}
         </span>
       }
     >
@@ -133,10 +138,16 @@ function Plane() {
             { value: "xy", label: "XY" },
             { value: "xz", label: "XZ" },
             { value: "yz", label: "YZ" },
-            { value: "points", label: "Points", why: ownPlane || typeof found !== "string" ? null : found },
+            { value: "points", label: "Points" },
           ]}
-          value={ownPlane ? "points" : plane}
-          onChoose={(value) => (value === "points" ? putPlane() : choosePlane(value))}
+          value={ownPlane || puts ? "points" : plane}
+          onChoose={(value) => {
+            if (value === "points") putPlane();
+            else {
+              if (puts) chooseTool("draw");
+              choosePlane(value);
+            }
+          }}
         />
       )}
     </Field>

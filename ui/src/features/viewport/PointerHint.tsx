@@ -10,6 +10,7 @@ const CLICKS: Readonly<Record<Tool, string>> = {
   trace: "Trace: click for each corner, Esc ends",
   draw: "Draw: click for each corner, Esc ends",
   measure: "Measure: click two things, Esc ends",
+  plane: "Plane: click three points, Esc ends",
 };
 
 /** The same of the tools that draw, while they draw construction lines. */

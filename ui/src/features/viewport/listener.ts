@@ -7,7 +7,7 @@ import { select } from "../../state/design/selection";
 import { settled } from "../../state/design/turns";
 import { placeStencil } from "../../state/parts/parts";
 import { openMenu } from "../../state/window/context_menu";
-import { useView } from "../../state/window/view";
+import { takePlanePoints, useView } from "../../state/window/view";
 import { useViewAxes } from "../../state/window/view_axes";
 
 /** The stroke as a change. */
@@ -96,6 +96,7 @@ export function listenerOf(corner: () => { readonly left: number; readonly top: 
       ended += 1;
       useView.setState({ strand: null });
     },
+    planePoints: takePlanePoints,
     measuring: (measuring) => useView.setState({ measuring }),
     viewChanged: (viewName) => useView.setState({ viewName }),
     viewTurned: (axes) => useViewAxes.setState({ axes }),

@@ -2,16 +2,10 @@
 
 import { type Sign, SNAP_SHAPES } from "../drawing/symbols";
 import type { MeasuredThing, SnapKind } from "../interface";
-import { DEFAULT_SNAP, type SnapTarget, snap } from "../picking/snap";
+import type { SnapTarget } from "../picking/snap";
 import { ClickTool } from "./click_tool";
 import type { Place } from "./pointer";
-
-/** All that is there, also what is not snapped to while something is drawn. */
-const THERE: ReadonlySet<SnapKind> = new Set(
-  [...DEFAULT_SNAP.kinds].filter((kind) => kind !== "angle" && kind !== "grid" && kind !== "plane"),
-);
-
-const NOTHING = { vertices: new Set<number>(), edges: new Set<number>() };
+import { there } from "./there";
 
 interface Taken extends MeasuredThing {
   readonly kind: SnapKind;
@@ -62,15 +56,7 @@ export class MeasureTool extends ClickTool {
   private pointed(): Taken | null {
     const { last, stage } = this;
     if (!last || stage.playing || stage.tool !== "measure") return null;
-    const place = {
-      design: stage.design,
-      projection: stage.projection,
-      stencil: stage.stencils.empty ? null : stage.stencils.bare,
-      construction: stage.pickable.lines,
-      plane: null,
-      without: NOTHING,
-    };
-    const target = snap(place, { ...stage.snap, kinds: THERE }, last.x, last.y);
+    const target = there(stage, last.x, last.y);
     return target && { kind: target.kind, at: target.at, ...this.extent(target) };
   }
 

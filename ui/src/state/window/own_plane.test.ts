@@ -6,7 +6,7 @@ import type { Vec3 } from "../../scene/interface";
 import { useDesign } from "../design/design";
 import { select } from "../design/selection";
 import { run } from "./commands";
-import { choosePlane, drawnPlane, normalOf, putPlane, selectedPlane, useView } from "./view";
+import { choosePlane, drawnPlane, normalOf, putPlane, takePlanePoints, useView } from "./view";
 
 const PLACES: readonly Vec3[] = [
   [10, 0, 0],
@@ -38,17 +38,26 @@ it("lies through three selected vertices, with its first axis from the first to 
   drawn().origin.forEach((value, k) => expect(value).toBeCloseTo([10, -8, 6][k] ?? NaN, 9));
 });
 
-it("asks for three vertices that are not in line", () => {
-  for (const [ids, why] of [
-    [[0, 1], "Select three vertices first."],
-    [[0, 1, 2, 3], "Select three vertices first."],
-    [[0, 1, 3], "The three vertices are in line: select others."],
-  ] as const) {
+it("asks for three clicks where no three vertices are selected that are not in line", () => {
+  for (const ids of [[], [0, 1], [0, 1, 2, 3], [0, 1, 3]]) {
+    useView.setState({ tool: "draw" });
     select(ids);
-    expect(selectedPlane()).toBe(why);
     putPlane();
-    expect(useView.getState().ownPlane).toBeNull();
+    expect([useView.getState().ownPlane, useView.getState().tool]).toEqual([null, "plane"]);
   }
+});
+
+it("is put on the points that were clicked, and drawn on then", () => {
+  putPlane();
+  const points = PLACES.slice(0, 3).map((at, index) => ({ at, vertex: index === 1 ? 1 : null }));
+  for (const count of [1, 2]) {
+    takePlanePoints(points.slice(0, count));
+    expect(useView.getState()).toMatchObject({ planePoints: count, ownPlane: null, tool: "plane" });
+  }
+  takePlanePoints(points);
+  expect(useView.getState()).toMatchObject({ planePoints: 0, planeOffset: 0, tool: "draw" });
+  expect(useView.getState().ownPlane?.through).toEqual([null, 1, null]);
+  expect(drawn()).toMatchObject({ origin: [10, 0, 0], u: [0, 0.6, 0.8], v: [-1, 0, 0] });
 });
 
 it("gives way to a plane of the axes, and to a view that would see it from its edge", () => {

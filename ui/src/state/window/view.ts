@@ -4,6 +4,7 @@ import type {
   DrawingPlane,
   Hovered,
   MeasuredThing,
+  PlanePoint,
   Preview,
   Selection,
   SnapKind,
@@ -61,9 +62,9 @@ export const FACING: Readonly<Record<Side, PlaneName>> = {
   bottom: "xy",
 };
 
-/** A plane of a person's own, and the vertices that it was put on. */
+/** A plane of a person's own, and what it was put on: vertices, or other points, which have no names. */
 interface OwnPlane extends DrawingPlane {
-  readonly through: readonly number[];
+  readonly through: readonly (number | null)[];
 }
 
 interface ViewStore {
@@ -78,8 +79,10 @@ interface ViewStore {
   /** CSS pixels. */
   readonly reach: number;
   readonly plane: PlaneName;
-  /** Drawn on instead of it: put on three vertices. It stays where it is when they move. */
+  /** Drawn on instead of it: put on three points. It stays where it is when they move. */
   readonly ownPlane: OwnPlane | null;
+  /** How many points were taken for a plane that is being put. */
+  readonly planePoints: number;
   /** How far the plane is from the origin, or from where it was put, mm. */
   readonly planeOffset: number;
   readonly stencilsShown: boolean;
@@ -131,6 +134,7 @@ export const useView = create<ViewStore>()(() => ({
   reach: 12,
   plane: "xy",
   ownPlane: null,
+  planePoints: 0,
   planeOffset: 0,
   stencilsShown: true,
   stencilOpacity: 0.45,
@@ -235,20 +239,29 @@ export function choosePlane(plane: PlaneName): void {
   useView.setState({ plane, ownPlane: null });
 }
 
-/** The plane through the three selected vertices; a sentence where there is none. */
-export function selectedPlane(): OwnPlane | string {
+/** Puts the plane on the three selected vertices; on points that are clicked where others, or none, are selected. */
+export function putPlane(): void {
   const design = useDesign.getState();
-  const through = verticesOf(useSelection.getState(), design);
-  const [a, b, c] = through.map((id) => design.vertices.get(id)?.at);
-  if (!a || !b || !c || through.length > 3) return "Select three vertices first.";
-  const plane = planeThrough(a, b, c);
-  return plane ? { ...plane, through } : "The three vertices are in line: select others.";
+  const points = verticesOf(useSelection.getState(), design).flatMap((vertex) => {
+    const at = design.vertices.get(vertex)?.at;
+    return at ? [{ at, vertex }] : [];
+  });
+  if (!putPlaneOn(points)) chooseTool("plane");
 }
 
-/** Puts the plane on the three selected vertices. */
-export function putPlane(): void {
-  const plane = selectedPlane();
-  if (typeof plane !== "string") useView.setState({ ownPlane: plane, planeOffset: 0 });
+/** The points that were clicked for a plane: three put it, and it is drawn on. */
+export function takePlanePoints(points: readonly PlanePoint[]): void {
+  const isPut = putPlaneOn(points);
+  useView.setState({ planePoints: isPut ? 0 : points.length });
+  if (isPut) chooseTool("draw");
+}
+
+/** Whether there are three points, not in line. */
+function putPlaneOn(points: readonly PlanePoint[]): boolean {
+  const [a, b, c] = points.map(({ at }) => at);
+  const plane = a && b && c && points.length === 3 ? planeThrough(a, b, c) : null;
+  if (plane) useView.setState({ ownPlane: { ...plane, through: points.map(({ vertex }) => vertex) }, planeOffset: 0 });
+  return plane !== null;
 }
 
 /** Vertices nearer than this lie in one plane, mm: as exact as drawings are written. */
