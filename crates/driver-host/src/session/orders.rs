@@ -160,8 +160,7 @@ impl Orders {
         // What a driver that is lost could do is not known any more.
         let lacks = if phase == Phase::Failed { Because::Failed } else { Because::Unable };
         for order in OrderName::ALL {
-            let unable =
-                || order.needs().filter(|needed| !abilities.contains(needed)).map(|_| lacks);
+            let unable = || order.needs().filter(|needed| !abilities.contains(needed)).map(|_| lacks);
             match refusal(phase, order, reference).or_else(unable) {
                 None => orders.can.push(order),
                 Some(because) => orders.cannot.push(RefusedOrder { order, because }),

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use wirebend_driver_host::{ActorOrder, ActorView, Because, NotTaken, OrderName, Orders, Phase, Snapshot};
+use wirebend_driver_host::{ActorOrder, ActorView, Because, NotTaken, OrderName, Orders, Snapshot};
 use wirebend_planning::signs::Signs;
 
 use super::state::MachineState;

@@ -49,6 +49,10 @@ it("leads through four steps once, and stands in the way of no menu", async () =
         box.y < own.y + own.height,
     );
     expect(over, await note.innerText()).toEqual([false, false, false]);
+    const [start, corner] = await Promise.all(
+      [".start", ".view-corner"].map((of) => editor.page.locator(of).boundingBox()),
+    );
+    expect((start?.x ?? 0) + (start?.width ?? 0), "what to begin with").toBeLessThanOrEqual(corner?.x ?? 0);
   };
   await editor.page.setViewportSize({ width: 960, height: 600 });
   await clear();

@@ -28,7 +28,7 @@ it.each([
     const at = beside(side, around, view, corner, size);
     const own = box(at.left, at.top, size.width, size.height);
     expect(own.left >= view.left && own.right <= view.right && own.top >= view.top).toBe(true);
-    expect(own.bottom, "what is written at the foot").toBeLessThanOrEqual(view.bottom - 40);
+    expect(own.bottom, "what is written at the foot").toBeLessThanOrEqual(view.bottom - 52);
     expect([meet(own, corner), meet(own, around)], `${side} ${JSON.stringify(around)}`).toEqual([false, false]);
   }
 });

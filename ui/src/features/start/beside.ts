@@ -10,7 +10,7 @@ export interface Box {
 /** From an edge of the view. */
 const EDGE = 8;
 /** The help at the pointer and the size of the grid are written there. */
-const FOOT = 40;
+const FOOT = 52;
 const APART = 12;
 
 /** `around`: what it stands beside; `corner`: the cube and the buttons below it, at the top right of the view. */
