@@ -1,4 +1,5 @@
 import type { Page } from "playwright-core";
+import type { Editor } from "./editor.ts";
 
 export type Place = readonly [number, number, number];
 
@@ -25,6 +26,16 @@ export class Sight {
     await page.keyboard.press(SIDES[side][0]);
     await page.keyboard.press("Home");
     return Sight.framed(page, side, places);
+  }
+
+  /** The design of an editor from its front. */
+  static async front(editor: Editor): Promise<Sight> {
+    const { vertices } = await editor.design();
+    return Sight.from(
+      editor.page,
+      "front",
+      vertices.map(({ at_mm }) => at_mm),
+    );
   }
 
   /** The same where the view looks from that side already, with everything framed. */

@@ -6137,7 +6137,7 @@ export interface RunResponse {
   identity: string | null;
   job_hash: string;
   /**
-   * Wires that were asked for and not begun.
+   * Wires of the piece that were asked for and are not begun: of several that a machine bends one after the other, those that follow.
    */
   left: number[];
   /**

@@ -1,11 +1,9 @@
 /** Measuring between any two things: a click takes the first, what the pointer is on is measured to it, a second click keeps that. */
 
-import { type Sign, SNAP_SHAPES } from "../drawing/symbols";
 import type { MeasuredThing, SnapKind } from "../interface";
 import type { SnapTarget } from "../picking/snap";
-import { ClickTool } from "./click_tool";
 import type { Place } from "./pointer";
-import { there } from "./there";
+import { TakingTool } from "./taking_tool";
 
 interface Taken extends MeasuredThing {
   readonly kind: SnapKind;
@@ -16,8 +14,7 @@ interface Taken extends MeasuredThing {
 const areSame = (one: MeasuredThing, other: MeasuredThing): boolean =>
   one.from.join() === other.from.join() && one.to.join() === other.to.join();
 
-export class MeasureTool extends ClickTool {
-  private taken: readonly Taken[] = [];
+export class MeasureTool extends TakingTool<Taken> {
   private told = "";
 
   release(at: Place): void {
@@ -30,33 +27,9 @@ export class MeasureTool extends ClickTool {
     this.show();
   }
 
-  key(event: KeyboardEvent): boolean {
-    return event.key === "Escape" && this.cancel();
-  }
-
-  cancel(): boolean {
-    const had = this.taken.length > 0;
-    this.taken = [];
-    this.show();
-    return had;
-  }
-
-  /** With another tool. */
-  leave(): void {
-    this.last = null;
-    this.cancel();
-  }
-
-  /** What was measured may be elsewhere, or gone. */
-  designChanged(): void {
-    this.cancel();
-  }
-
   /** What the pointer is on. */
   private pointed(): Taken | null {
-    const { last, stage } = this;
-    if (!last || stage.playing || stage.tool !== "measure") return null;
-    const target = there(stage, last.x, last.y);
+    const target = this.target("measure");
     return target && { kind: target.kind, at: target.at, ...this.extent(target) };
   }
 
@@ -71,13 +44,11 @@ export class MeasureTool extends ClickTool {
     const { stage, taken } = this;
     const pointed = this.pointed();
     const { acted } = stage.theme;
-    const signs = [...taken, ...(pointed ? [pointed] : [])].map(
-      ({ kind, at }): Sign => ({ at, shape: SNAP_SHAPES[kind], colour: acted, radius: 8.5 }),
-    );
-    const lines = [...taken, ...(pointed ? [pointed] : [])]
+    const shown = [...taken, ...(pointed ? [pointed] : [])];
+    const lines = shown
       .filter(({ from, to }) => from !== to)
       .map(({ from, to }) => ({ from, to, look: { colour: acted } }));
-    stage.mark("measure", signs, lines);
+    stage.mark("measure", this.signs(shown), lines);
     const [first] = taken;
     const other = taken.length === 1 && first && pointed && !areSame(first, pointed) ? [pointed] : [];
     const things = [...taken, ...other];
