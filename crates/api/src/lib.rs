@@ -66,8 +66,9 @@ pub use wirebend_planning::export::{ExportFormat, ExportRequest, ExportResponse}
 pub use wirebend_planning::frame::{
     AchievedReport, ClosedShapes, ClosingChoice, ClosingFigures, ClosingName, ClosingReport, ClosingRuns,
     ContinuumChoice, FrameFigures, FrameFiles, FrameRequest, FrameResponse, FrameShapes, FrameSupports,
-    LoadsChoice, MemberReport, ModeKindName, ModeReport, ReactionReport, RequirementName, RequirementsChoice,
-    ResourcesReport, StaticReport, ToleranceRequest, ToleranceResponse, ToleranceSubject, VaryName,
+    LoadCaseEntry, LoadCases, LoadsChoice, MemberReport, ModeKindName, ModeReport, ReactionReport,
+    RequirementName, RequirementsChoice, ResourcesReport, StaticReport, ToleranceRequest, ToleranceResponse,
+    ToleranceSubject, VaryName, VertexForce,
 };
 pub use wirebend_planning::generate::{GenerateRequest, GenerateResponse, GeneratedShape};
 pub use wirebend_planning::import::{ImportRequest, ImportResponse};

@@ -21,15 +21,16 @@ use crate::{
     ConsoleResponse, DrawnSequence, DriverCheckRequest, DriverCheckResponse, DriverTrustRequest,
     DriverTrustResponse, DriversRequest, DriversResponse, DryRunRequest, DumpRequest, DumpResponse,
     ExportRequest, ExportResponse, FrameRequest, FrameResponse, FrontEnd, GenerateRequest, GenerateResponse,
-    ImportRequest, ImportResponse, Installation, JogRequest, JogResponse, LiveCheck, MachineSettingsRequest,
-    MachineSettingsResponse, MachinesRequest, MachinesResponse, MaterialsRequest, MaterialsResponse,
-    OperatorEvent, PlanRequest, PlanResponse, PortsRequest, PortsResponse, PredictionRequest,
-    ProfileCheckRequest, ProfileCheckResponse, ProfileExplainRequest, ProfileExplainResponse,
-    ProfileExportRequest, ProfileExportResponse, ProfileImportRequest, ProfileImportResponse,
-    ProfileNewRequest, ProfileNewResponse, ProfileRevertRequest, ProfileRevertResponse, ProfileSetRequest,
-    ProfileSetResponse, ReplayRequest, RunRequest, RunResponse, RunsExportRequest, RunsExportResponse,
-    RunsRequest, RunsResponse, RunsShowRequest, RunsShowResponse, SequenceRequest, SequenceResponse,
-    SimulateRequest, SimulateResponse, ToleranceRequest, ToleranceResponse, WiresRequest, WiresResponse,
+    ImportRequest, ImportResponse, Installation, JogRequest, JogResponse, LiveCheck, LoadCases,
+    MachineSettingsRequest, MachineSettingsResponse, MachinesRequest, MachinesResponse, MaterialsRequest,
+    MaterialsResponse, OperatorEvent, PlanRequest, PlanResponse, PortsRequest, PortsResponse,
+    PredictionRequest, ProfileCheckRequest, ProfileCheckResponse, ProfileExplainRequest,
+    ProfileExplainResponse, ProfileExportRequest, ProfileExportResponse, ProfileImportRequest,
+    ProfileImportResponse, ProfileNewRequest, ProfileNewResponse, ProfileRevertRequest,
+    ProfileRevertResponse, ProfileSetRequest, ProfileSetResponse, ReplayRequest, RunRequest, RunResponse,
+    RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse, RunsShowRequest, RunsShowResponse,
+    SequenceRequest, SequenceResponse, SimulateRequest, SimulateResponse, ToleranceRequest,
+    ToleranceResponse, WiresRequest, WiresResponse,
 };
 
 macro_rules! requests {
@@ -288,6 +289,12 @@ requests! {
         FrameChoices(workspace::FrameChoicesRequest) -> workspace::FrameChoices = Workspace::frame_choices, "frame-choices";
         /// Computes the design as a frame.
         Frame(workspace::FrameDesign) -> workspace::FrameShown = Workspace::frame, "frame";
+        /// Stops computing that.
+        StopFrame(workspace::StopFrame) -> workspace::FrameStopped = Workspace::stop_frame, "stop-frame";
+        /// Writes what the frame carries for other programs.
+        SaveFrame(workspace::SaveFrame) -> workspace::SavedFrame = Workspace::save_frame, "save-frame";
+        /// The load cases of a file.
+        LoadCases(workspace::LoadCasesRequest) -> LoadCases = Workspace::load_cases, "load-cases";
         /// Says how good a machine must be for the design.
         Tolerance(workspace::ToleranceDesign) -> ToleranceResponse = Workspace::tolerance, "tolerance";
         /// Looks for an order in which the struts of the design are built, or checks one.

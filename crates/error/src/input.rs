@@ -57,6 +57,8 @@ pub enum InputName {
     Supports,
     /// Gravity.
     Gravity,
+    /// What acts on a frame besides.
+    Loads,
     /// How many modes are looked for.
     Modes,
     /// How many pieces a strut is cut into.
@@ -131,6 +133,7 @@ impl InputName {
             Self::Within => "accuracy",
             Self::Supports => "supports",
             Self::Gravity => "gravity",
+            Self::Loads => "loads",
             Self::Modes => "number of modes",
             Self::Pieces => "number of pieces",
             Self::Faces => "faces",

@@ -718,6 +718,10 @@ export type Decision =
       part: PartOfStep;
     };
 /**
+ * What is placed at once.
+ */
+export type GroupBy = "edge" | "wire";
+/**
  * What lengths in messages are written in.
  */
 export type ShownUnit = "mm" | "inch";
@@ -763,6 +767,7 @@ export interface Requests {
   frame: FrameDesign;
   "frame-choices": FrameChoicesRequest;
   "import-profile": ImportProfile;
+  "load-cases": LoadCasesRequest;
   look: LookRequest;
   "machine-state": MachineStateRequest;
   "machine-view": MachineViewRequest;
@@ -790,6 +795,7 @@ export interface Requests {
   runs: RunsRequest;
   "runs-show": RunsShowRequest;
   save: SaveDesign;
+  "save-frame": SaveFrame;
   "save-job": SaveJob;
   "save-recording": SaveRecording;
   "save-wireframe": SaveWireframe;
@@ -798,6 +804,7 @@ export interface Requests {
   "show-lengths": ShowLengths;
   start: Start;
   "stop-collisions": StopCollisions;
+  "stop-frame": StopFrame;
   "stop-prediction": StopPrediction;
   "stop-sequence": StopSequence;
   tolerance: ToleranceDesign;
@@ -1303,12 +1310,20 @@ export interface FrameDesign {
    */
   double?: boolean;
   /**
-   * Gravity along x, y and z, as multiples of standard gravity; absent: 1 against z.
+   * Forces at vertices, besides.
+   */
+  forces?: VertexForce[];
+  /**
+   * Gravity along x, y and z, as multiples of standard gravity; absent: that of the loads, and without loads 1 against z.
    *
    * @minItems 3
    * @maxItems 3
    */
   gravity?: [number, number, number] | null;
+  /**
+   * What acts on it besides, from a file.
+   */
+  loads?: LoadsChoice | null;
   /**
    * Absent: that of the design.
    */
@@ -1343,6 +1358,29 @@ export interface ClosingChoice {
   seed: number;
 }
 /**
+ * A force at a vertex.
+ */
+export interface VertexForce {
+  /**
+   * Along x, y and z.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  force_n: [number, number, number];
+  vertex: number;
+}
+/**
+ * Loads from a file.
+ */
+export interface LoadsChoice {
+  /**
+   * Which of them; absent, the only one.
+   */
+  case?: string | null;
+  file: Input;
+}
+/**
  * Asks what there is to choose from for frames.
  */
 export interface FrameChoicesRequest {}
@@ -1355,6 +1393,12 @@ export interface ImportProfile {
    * Another id than that of the file.
    */
   id?: string | null;
+}
+/**
+ * Asks which load cases a file has for the open design.
+ */
+export interface LoadCasesRequest {
+  file: Input;
 }
 /**
  * What to look into.
@@ -1622,6 +1666,38 @@ export interface SaveDesign {
   path?: string | null;
 }
 /**
+ * Writes what a frame carries for other programs.
+ */
+export interface SaveFrame {
+  files: FrameFiles;
+  frame: FrameDesign;
+}
+/**
+ * What is written of a loaded frame for other programs.
+ */
+export interface FrameFiles {
+  /**
+   * The frame as it is computed, for conmech, and what acts on it: `NAME.json` and `NAME-loads.json`.
+   */
+  conmech?: Output | null;
+  /**
+   * The same as tables: `NAME-nodes.csv` and `NAME-members.csv` for `NAME.csv`.
+   */
+  csv?: Output | null;
+  /**
+   * How far displacements are enlarged in the model; 1 is true scale.
+   */
+  displacement_scale?: number;
+  /**
+   * The deformed shape as a model, binary glTF.
+   */
+  glb?: Output | null;
+  /**
+   * Displacements and forces for a program that shows them, as a VTK file.
+   */
+  vtk?: Output | null;
+}
+/**
  * Plans the open design and writes the job.
  */
 export interface SaveJob {
@@ -1651,6 +1727,7 @@ export interface SequenceDesign {
    * How far a joint may be from where it is drawn, mm; absent, what the head still meets.
    */
   epsilon_mm?: number | null;
+  group_by?: GroupBy;
   /**
    * How long is searched, s; absent, 120.
    */
@@ -1680,6 +1757,10 @@ export interface OrderedStep {
    */
   direction?: [number, number, number] | null;
   edge: number;
+  /**
+   * All edges of a wire, which is fastened wherever it meets what is built by then; not there for a strut.
+   */
+  edges?: number[];
   /**
    * The vertex from which the head draws it, where that is built by then; otherwise it is its other end.
    */
@@ -1720,6 +1801,10 @@ export interface Start {}
  */
 export interface StopCollisions {}
 /**
+ * Stops computing the frame that is under way.
+ */
+export interface StopFrame {}
+/**
  * Stops the prediction that is under way.
  */
 export interface StopPrediction {}
@@ -1733,19 +1818,34 @@ export interface StopSequence {}
 export interface ToleranceDesign {
   closing?: ClosingName & string;
   /**
+   * In place of the design a truss of many rings, by closed formulas.
+   */
+  continuum?: ContinuumChoice | null;
+  /**
    * Whether wires may run along edges twice where there is no route otherwise.
    */
   double?: boolean;
   /**
-   * Faces that are to be flat, by their vertices; none: all vertices count.
+   * The faces that are to be flat: a JSON list of lists of vertices. Absent, all vertices count.
    */
-  faces?: number[][];
+  faces?: Input | null;
   /**
    * Absent: that of the design.
    */
   material?: string | null;
   required: RequirementsChoice;
   vary?: VaryName;
+}
+/**
+ * A tetrahedral truss of many rings, by closed formulas.
+ */
+export interface ContinuumChoice {
+  depth_mm: number;
+  diameter_mm: number;
+  /**
+   * Rings around the middle triangle.
+   */
+  rings: number;
 }
 /**
  * What is required of a closed frame.

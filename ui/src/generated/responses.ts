@@ -582,6 +582,7 @@ export type InputName =
   | "within"
   | "supports"
   | "gravity"
+  | "loads"
   | "modes"
   | "pieces"
   | "faces"
@@ -1990,6 +1991,7 @@ export interface Responses {
   frame: FrameShown;
   "frame-choices": FrameChoices;
   "import-profile": ProfileImportResponse;
+  "load-cases": LoadCases;
   look: LookResponse;
   "machine-state": MachineNow;
   "machine-view": MachineViewResponse;
@@ -2017,6 +2019,7 @@ export interface Responses {
   runs: RunsResponse;
   "runs-show": RunsShowResponse;
   save: DesignOpened;
+  "save-frame": SavedFrame;
   "save-job": SavedJob;
   "save-recording": SavedRecording;
   "save-wireframe": SavedWireframe;
@@ -2025,6 +2028,7 @@ export interface Responses {
   "show-lengths": LengthsShown;
   start: Started;
   "stop-collisions": CollisionsStopped;
+  "stop-frame": FrameStopped;
   "stop-prediction": PredictionStopped;
   "stop-sequence": SequenceStopped;
   tolerance: ToleranceResponse;
@@ -4785,6 +4789,57 @@ export interface ProfileImportResponse {
    */
   with: SharedProfile[];
 }
+/**
+ * The load cases of a file.
+ */
+export interface LoadCases {
+  /**
+   * By name.
+   */
+  cases: LoadCaseEntry[];
+  /**
+   * The file.
+   */
+  name: string;
+}
+/**
+ * A load case, to choose.
+ */
+export interface LoadCaseEntry {
+  /**
+   * How many edges bear a load along them.
+   */
+  along_edges: number;
+  /**
+   * Forces at vertices.
+   */
+  forces: VertexForce[];
+  /**
+   * As multiples of standard gravity; null where the case says nothing of it.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  gravity: [number, number, number] | null;
+  /**
+   * How many vertices bear a moment.
+   */
+  moments: number;
+  name: string;
+}
+/**
+ * A force at a vertex.
+ */
+export interface VertexForce {
+  /**
+   * Along x, y and z.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  force_n: [number, number, number];
+  vertex: number;
+}
 export interface LookResponse {
   /**
    * Whether units and scale are open: the format does not say them.
@@ -5867,6 +5922,19 @@ export interface ConfirmedPause {
   note: string;
 }
 /**
+ * Files that were written.
+ */
+export interface SavedFrame {
+  /**
+   * None where the frame floats or does not stand.
+   */
+  files: string[];
+  /**
+   * What was left out.
+   */
+  notes: NoteReport[];
+}
+/**
  * A job that was written.
  */
 export interface SavedJob {
@@ -6082,6 +6150,10 @@ export interface LengthsShown {
  * Nothing is looked for any more.
  */
 export interface CollisionsStopped {}
+/**
+ * No frame is computed any more.
+ */
+export interface FrameStopped {}
 /**
  * No prediction is under way any more.
  */

@@ -31,6 +31,7 @@ const INPUTS: Readonly<Record<InputName, string>> = {
   within: "the accuracy",
   supports: "the supports",
   gravity: "gravity",
+  loads: "loads",
   modes: "the number of modes",
   pieces: "the number of pieces",
   faces: "the faces",

@@ -1,10 +1,17 @@
 //! Which of several questions of a kind was asked last.
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 use wirebend_planning::report::DiagnosticCode;
+
+use crate::Progress;
+
+/// From one report to the next.
+const BETWEEN: Duration = Duration::from_millis(100);
 
 /// Which question of a kind was asked last: those of before are given up.
 #[derive(Debug, Default)]
@@ -24,6 +31,33 @@ impl Latest {
 
     pub(super) fn is_last(&self, asked: u64) -> bool {
         self.now() == asked
+    }
+}
+
+/// How far what was asked is, until a person has had enough, or asks again.
+pub(super) struct Search<'a> {
+    pub progress: &'a dyn Progress,
+    pub searches: &'a Latest,
+    pub own: u64,
+    /// When the next report is due.
+    pub next: Cell<Option<Instant>>,
+}
+
+impl Progress for Search<'_> {
+    fn stage(&self, name: &str) {
+        self.progress.stage(name);
+    }
+
+    fn advance(&self, done: u64, of: u64) {
+        let now = Instant::now();
+        if self.next.get().is_none_or(|next| now >= next) {
+            self.next.set(Some(now + BETWEEN));
+            self.progress.advance(done, of);
+        }
+    }
+
+    fn goes_on(&self) -> bool {
+        self.searches.is_last(self.own)
     }
 }
 

@@ -50,7 +50,10 @@ pub use exports::{
     ExportDesign, ExportPreview, ExportsRequest, ExportsResponse, FormatEntry, SaveJob, SaveWireframe,
     SavedJob, SavedWireframe,
 };
-pub use frames::{FrameChoices, FrameChoicesRequest, FrameDesign, FrameShown, ToleranceDesign};
+pub use frames::{
+    FrameChoices, FrameChoicesRequest, FrameDesign, FrameShown, FrameStopped, LoadCasesRequest, SaveFrame,
+    SavedFrame, StopFrame, ToleranceDesign,
+};
 use latest::{Latest, LatestByCode};
 pub use look::{LookRequest, LookResponse, Seen};
 pub use machines::{
@@ -116,6 +119,7 @@ pub struct Workspace {
     fix_all_searches: LatestByCode,
     predictions: Latest,
     sequence_searches: Latest,
+    frames: Latest,
 }
 
 impl Workspace {
@@ -138,6 +142,7 @@ impl Workspace {
             fix_all_searches: LatestByCode::default(),
             predictions: Latest::default(),
             sequence_searches: Latest::default(),
+            frames: Latest::default(),
         })
     }
 
@@ -166,6 +171,7 @@ impl Workspace {
         self.fix_all_searches.stop();
         self.predictions.begin();
         self.sequence_searches.begin();
+        self.frames.begin();
         self.let_go();
         self.open().leave();
     }

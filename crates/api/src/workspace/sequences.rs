@@ -1,7 +1,6 @@
 //! The order in which a machine builds the struts of the open design: looking for one, and checking one that a person has changed.
 
 use std::cell::Cell;
-use std::time::{Duration, Instant};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -11,11 +10,8 @@ use wirebend_planning::sequence::{
 };
 
 use super::Workspace;
-use super::latest::Latest;
+use super::latest::Search;
 use crate::{ApiError, Progress, SequenceRequest};
-
-/// From one report to the next.
-const BETWEEN: Duration = Duration::from_millis(100);
 
 /// Looks for an order in which a machine builds the struts of the open design, or checks one. A search that is under way is stopped.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -26,6 +22,9 @@ pub struct SequenceDesign {
     pub material: Option<String>,
     /// How far a joint may be from where it is drawn, mm; absent, what the head still meets.
     pub epsilon_mm: Option<f64>,
+    /// What is placed at once.
+    #[serde(default)]
+    pub group_by: GroupBy,
     /// How long is searched, s; absent, 120.
     pub limit_s: Option<f64>,
     /// The order to check; absent, one is looked for.
@@ -40,41 +39,14 @@ pub struct StopSequence {}
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct SequenceStopped {}
 
-/// How far a search is, until a person has had enough.
-struct Search<'a> {
-    progress: &'a dyn Progress,
-    searches: &'a Latest,
-    own: u64,
-    next: Cell<Instant>,
-}
-
-impl Progress for Search<'_> {
-    fn stage(&self, name: &str) {
-        self.progress.stage(name);
-    }
-
-    fn advance(&self, done: u64, of: u64) {
-        let now = Instant::now();
-        if now >= self.next.get() {
-            self.next.set(now + BETWEEN);
-            self.progress.advance(done, of);
-        }
-    }
-
-    fn goes_on(&self) -> bool {
-        self.searches.is_last(self.own)
-    }
-}
-
 impl Workspace {
     pub(crate) fn sequence(
         &self,
         asked: &SequenceDesign,
         progress: &dyn Progress,
     ) -> Result<DrawnSequence, ApiError> {
-        let own = self.sequence_searches.begin();
-        let search =
-            Search { progress, searches: &self.sequence_searches, own, next: Cell::new(Instant::now()) };
+        let searches = &self.sequence_searches;
+        let search = Search { progress, searches, own: searches.begin(), next: Cell::default() };
         let request = SequenceRequest {
             design: self.as_input()?,
             machine: asked.machine.clone(),
@@ -83,7 +55,7 @@ impl Workspace {
             epsilon_mm: asked.epsilon_mm,
             check: None,
             layers: asked.order.is_none(),
-            group_by: GroupBy::Edge,
+            group_by: asked.group_by,
             cost: CostName::Sharing,
             limit_s: asked.limit_s,
             seed: None,

@@ -249,6 +249,7 @@ const fn option(input: InputName) -> &'static str {
         InputName::Within => "--within",
         InputName::Supports => "--supports",
         InputName::Gravity => "--gravity",
+        InputName::Loads => "--loads",
         InputName::Modes => "--modes",
         InputName::Pieces => "--pieces",
         InputName::Faces => "--faces",

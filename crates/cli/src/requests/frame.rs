@@ -38,6 +38,7 @@ pub(super) fn frame(args: FrameArgs) -> anyhow::Result<Command> {
         choices: choices(args.choices)?,
         supports: args.supports,
         loads: loads.map(|file| LoadsChoice { file, case: args.load_case }),
+        forces: Vec::new(),
         gravity: args.gravity.map(|gravity| gravity.0),
         files: Box::new(FrameFiles {
             vtk: args.vtk.map(file),

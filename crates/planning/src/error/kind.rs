@@ -31,6 +31,7 @@ impl PlanningError {
     pub fn kind(&self) -> ErrorKind {
         match self {
             Self::Driver(problem) => problem.kind(),
+            Self::Stopped => ErrorKind::Stopped,
             Self::Document(DocumentError::Save { .. } | DocumentError::Write(_))
             | Self::NoModes { .. }
             | Self::Picture(_)
@@ -113,6 +114,7 @@ impl PlanningError {
             Self::Faces { .. } => ErrorCode::Faces,
             Self::NoLimit => ErrorCode::NoLimit,
             Self::OnlyLengths => ErrorCode::OnlyLengths,
+            Self::Stopped => ErrorCode::Stopped,
             Self::Springback { .. } => ErrorCode::SpringbackTable,
             Self::Noise { .. } => ErrorCode::NoiseProfile,
             Self::Calibration(_) => ErrorCode::Calibration,

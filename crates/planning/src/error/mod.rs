@@ -107,6 +107,9 @@ pub enum PlanningError {
     /// Closed formulas say nothing of what was asked.
     #[error("the closed formulas know feeds alone, and neither angles nor stresses")]
     OnlyLengths,
+    /// A person has stopped it.
+    #[error("stopped before it was done")]
+    Stopped,
     /// A springback table is not one.
     #[error("material '{material}': {}", text::error::springback(error))]
     Springback { material: String, error: SpringbackError },

@@ -97,7 +97,7 @@ impl PlanningError {
             Self::StageNotReached { .. } => vec![R::FixFindings],
             Self::NotFeasible { .. } => vec![R::FixFindings, R::IgnoreFindings],
             Self::Exists(path) => vec![R::ChooseOtherFile, R::Overwrite { path: path.clone() }],
-            Self::Picture(_) | Self::Json(_) => Vec::new(),
+            Self::Stopped | Self::Picture(_) | Self::Json(_) => Vec::new(),
         }
     }
 }

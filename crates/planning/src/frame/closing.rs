@@ -125,6 +125,7 @@ impl Installation {
             let runs =
                 Runs { wires: &wires, errors: &errors, closing, count: choice.runs, seed: choice.seed };
             let figures = runs.all(progress).map_err(|error| wires.failed(error))?;
+            let figures = figures.ok_or(PlanningError::Stopped)?;
             let of_runs = ClosingRuns {
                 mean: Figures::mean(&figures).into(),
                 sd: Figures::deviation(&figures).map(ClosingFigures::from),

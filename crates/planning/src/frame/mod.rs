@@ -36,7 +36,7 @@ use crate::report::{DiagnosticReport, NoteReport, SeverityName};
 use crate::{Installation, PlanningError, Progress};
 pub use closing::{ClosingChoice, ClosingName, ClosingReport, ClosingRuns, ResourcesReport};
 pub use figures::ClosingFigures;
-pub use loads::LoadsChoice;
+pub use loads::{LoadCaseEntry, LoadCases, LoadsChoice, VertexForce, load_cases};
 pub(crate) use material::FrameMaterial;
 pub use modes::{ModeKindName, ModeReport};
 pub use report::{MemberReport, ReactionReport, StaticReport};
@@ -67,6 +67,9 @@ pub struct FrameRequest {
     pub gravity: Option<[f64; 3]>,
     /// What acts on it besides.
     pub loads: Option<LoadsChoice>,
+    /// Forces at vertices, besides.
+    #[serde(default)]
+    pub forces: Vec<VertexForce>,
     /// What is written for other programs.
     #[serde(default)]
     pub files: Box<FrameFiles>,
@@ -172,15 +175,18 @@ fn compute(
     if structure.edges.is_empty() {
         found.push(nothing_to_compute());
     }
+    going_on(progress)?;
     progress.stage("solving");
-    let load = loads::loads(&opened, &structure, request.gravity, request.loads.as_ref())?;
+    let load = loads::loads(&opened, &structure, request.gravity, request.loads.as_ref(), &request.forces)?;
     let solved = structure.statics(&opened, &material, &request.supports, &load, &mut found)?;
     timings.took("static");
     let loaded = Loaded { opened: &opened, structure: &structure, material: &material, load: &load };
     let files = wanted.write(loaded, solved.as_ref(), &mut notes)?;
+    going_on(progress)?;
     progress.stage("looking for modes");
     let (modes, mode_shapes) = structure.modes(request.modes, request.pieces, drawn)?;
     timings.took("modes");
+    going_on(progress)?;
     let closed = match &request.close {
         Some(choice) if !structure.edges.is_empty() => {
             let closed =
@@ -221,6 +227,11 @@ fn compute(
         files,
     };
     Ok((response, shapes))
+}
+
+/// Ends what a person has stopped.
+fn going_on(progress: &dyn Progress) -> Result<(), PlanningError> {
+    if progress.goes_on() { Ok(()) } else { Err(PlanningError::Stopped) }
 }
 
 fn nothing_to_compute() -> Diagnostic {

@@ -46,19 +46,19 @@ impl Runs<'_> {
         )
     }
 
-    /// The figures of each wire, in their order.
-    pub fn all(&self, progress: &dyn Progress) -> Result<Vec<Figures>, ClosingError> {
-        let (next, failed) = (AtomicU32::new(0), AtomicBool::new(false));
+    /// The figures of each wire, in their order; `None` where a person has stopped it.
+    pub fn all(&self, progress: &dyn Progress) -> Result<Option<Vec<Figures>>, ClosingError> {
+        let (next, over) = (AtomicU32::new(0), AtomicBool::new(false));
         let found: Mutex<Vec<(u32, Result<Figures, ClosingError>)>> = Mutex::default();
         let take = |told: &mut dyn FnMut(u32)| {
             let straight = if self.is_straight() { self.wires.model.straight().ok() } else { None };
             loop {
                 let run = next.fetch_add(1, Ordering::Relaxed);
-                if run >= self.count || failed.load(Ordering::Relaxed) {
+                if run >= self.count || over.load(Ordering::Relaxed) {
                     return;
                 }
                 let figures = self.one(run, straight.as_ref());
-                failed.fetch_or(figures.is_err(), Ordering::Relaxed);
+                over.fetch_or(figures.is_err(), Ordering::Relaxed);
                 found.lock().unwrap_or_else(PoisonError::into_inner).push((run, figures));
                 told(run);
             }
@@ -68,11 +68,17 @@ impl Runs<'_> {
             for _ in 1..threads {
                 scope.spawn(|| take(&mut |_| ()));
             }
-            take(&mut |run| progress.advance(u64::from(run), u64::from(self.count)));
+            take(&mut |run| {
+                progress.advance(u64::from(run), u64::from(self.count));
+                over.fetch_or(!progress.goes_on(), Ordering::Relaxed);
+            });
         });
+        if !progress.goes_on() {
+            return Ok(None);
+        }
         let mut found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
         found.sort_by_key(|(run, _)| *run);
-        found.into_iter().map(|(_, figures)| figures).collect()
+        found.into_iter().map(|(_, figures)| figures).collect::<Result<_, _>>().map(Some)
     }
 
     fn is_straight(&self) -> bool {

@@ -17,6 +17,9 @@ use crate::{Installation, PlanningError, Progress};
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 pub struct OrderedStep {
     pub edge: u32,
+    /// All edges of a wire, which is fastened wherever it meets what is built by then; not there for a strut.
+    #[serde(default)]
+    pub edges: Vec<u32>,
     /// The vertex from which the head draws it, where that is built by then; otherwise it is its other end.
     pub from_vertex: Option<u32>,
     /// The direction of the head's axis that is tried first; where it is not free, and where it is absent, all of the machine are.
@@ -89,7 +92,13 @@ impl Drawing {
                 self.moves.push(HeadMove { from_mm: [0.0; 3], to_mm: [0.0; 3], free: Vec::new() });
                 continue;
             };
-            let (start, end) = if b.vertex.0 == from { (b, a) } else { (a, b) };
+            let (start, end) = if step.edges.is_empty() {
+                if b.vertex.0 == from { (b, a) } else { (a, b) }
+            } else {
+                // It stands still where a wire is fastened first.
+                let joint = structure.nodes().iter().find(|node| node.vertex.0 == from).unwrap_or(a);
+                (joint, joint)
+            };
             let found = outcome.and_then(|outcome| outcome.steps.get(k)?.joints.first());
             let taken = || {
                 let direction = step.direction?;
@@ -112,6 +121,9 @@ fn ordered(order: &[OrderedStep], task: &Task<'_>) -> Vec<GivenStep> {
     let mut built: BTreeSet<VertexId> =
         structure.nodes().iter().filter(|node| node.support).map(|node| node.vertex).collect();
     let steps = order.iter().map(|step| {
+        if step.edges.len() > 1 {
+            return ordered_wire(&step.edges, &mut built, task);
+        }
         let edge = EdgeId(step.edge);
         let strut = structure.strut_of(edge);
         let ends =
@@ -131,6 +143,19 @@ fn ordered(order: &[OrderedStep], task: &Task<'_>) -> Vec<GivenStep> {
         }
     });
     steps.collect()
+}
+
+/// A wire is fastened wherever it meets what is built by then, in any direction.
+fn ordered_wire(edges: &[u32], built: &mut BTreeSet<VertexId>, task: &Task<'_>) -> GivenStep {
+    let structure = task.structure;
+    let edges: Vec<EdgeId> = edges.iter().copied().map(EdgeId).collect();
+    let struts = edges.iter().filter_map(|&edge| structure.strut_of(edge));
+    let ends = struts.flat_map(|strut| structure.struts()[strut].ends);
+    let vertices: BTreeSet<VertexId> = ends.map(|node| structure.nodes()[node].vertex).collect();
+    let joined = vertices.intersection(built).copied();
+    let joints = joined.map(|vertex| GivenJoint { vertex, directions: all_directions(task) }).collect();
+    built.extend(vertices);
+    GivenStep { edges, kind: None, joints }
 }
 
 fn all_directions(task: &Task<'_>) -> Vec<Vector3<f64>> {

@@ -2,6 +2,7 @@
 
 mod calibrations;
 mod designs;
+mod frame_loads;
 mod frames;
 mod machines;
 mod predictions;
