@@ -7,7 +7,6 @@ export type Vec3 = readonly [number, number, number];
 export interface LengthFormat {
   /** mm in one of the unit that is shown. */
   readonly mm: number;
-  /** "mm", "in". */
   readonly name: string;
   /** mm as a number of the unit, with the digits that a machine can make: "601.4". */
   number(mm: number): string;
@@ -20,7 +19,6 @@ export interface LengthFormat {
 /** What holds struts together at a vertex. */
 export interface SceneJoint {
   readonly kind: "snap-fit" | "solder" | "zip-tie";
-  /** g */
   readonly mass_g: number;
 }
 
@@ -310,9 +308,8 @@ export interface Touch {
 
 export type Shown = "designed" | "made" | "both";
 
-/** What a fix would do, shown before it is done. */
+/** What a fix would do, shown before it is done, mm. */
 export interface Preview {
-  /** mm. */
   readonly edges: readonly (readonly [Vec3, Vec3])[];
   /** Edges that would go, by id. */
   readonly removed: ReadonlySet<number>;
@@ -343,6 +340,12 @@ export interface SceneHead {
   readonly axis: Vec3;
   /** Other directions in which it could stand, of length 1. */
   readonly free: readonly Vec3[];
+}
+
+/** Places that hold a frame, mm, and the forces on it: each with where it acts and which way. */
+export interface SceneHeld {
+  readonly places: readonly Vec3[];
+  readonly forces: readonly (readonly [at: Vec3, way: Vec3])[];
 }
 
 /** Struts that are drawn instead of the edges of the design. */

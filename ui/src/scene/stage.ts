@@ -14,6 +14,7 @@ import type {
   Preview,
   SceneDesign,
   SceneDimensions,
+  SceneHeld,
   SceneLabel,
   SceneMarks,
   SceneStencil,
@@ -32,6 +33,7 @@ import { FixPreview } from "./layers/fix_preview";
 import { Gizmo } from "./layers/gizmo";
 import { facing, Grid } from "./layers/grid";
 import { gridSpacing, type Spacing } from "./layers/grid_spacing";
+import { HeldPlaces } from "./layers/held_places";
 import { OwnedMarks } from "./layers/owned_marks";
 import { areSame } from "./layers/same_marks";
 import { SelectionLayer } from "./layers/selection_layer";
@@ -77,8 +79,7 @@ export class Stage {
   readonly playback = new Playback(this.uniforms, this.theme);
   private readonly struts = new StrutLayer(this.uniforms, this.theme);
   readonly spread = new SpreadLayer(this.uniforms);
-  /** Places with a square around them. */
-  private held: readonly Vec3[] = [];
+  private readonly held = new HeldPlaces();
   private readonly texts: Texts;
   private marks: SceneMarks = NO_MARKS;
   private readonly owned = new OwnedMarks();
@@ -203,9 +204,8 @@ export class Stage {
     this.changed();
   }
 
-  /** Marks places that are held. */
-  hold(places: readonly Vec3[]): void {
-    this.held = places;
+  hold(held: SceneHeld): void {
+    this.held.shown = held;
     this.changed();
   }
 
@@ -358,7 +358,7 @@ export class Stage {
   }
 
   private ownSigns(theme: Theme): Sign[] {
-    const held = this.held.map((at): Sign => ({ at, shape: "square", colour: theme.acted, radius: 8 }));
+    const held = this.held.signs(theme);
     if (this.struts.shown) return [...held, ...this.struts.signs];
     return [...this.selected.signs(this.design, this.marks.start, theme), ...held];
   }

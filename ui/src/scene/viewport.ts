@@ -13,6 +13,7 @@ import type {
   SceneBall,
   SceneDesign,
   SceneDimensions,
+  SceneHeld,
   SceneLabel,
   SceneListener,
   SceneMarks,
@@ -158,9 +159,8 @@ export class Viewport {
     this.stage.enlarge(scale);
   }
 
-  /** Places that are marked as held, mm. */
-  setHeld(places: readonly Vec3[]): void {
-    this.stage.hold(places);
+  setHeld(held: SceneHeld): void {
+    this.stage.hold(held);
   }
 
   setStencils(stencils: readonly SceneStencil[]): void {

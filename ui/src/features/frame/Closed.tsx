@@ -1,6 +1,7 @@
 import type { FrameShown, ResourcesReport } from "../../generated/responses";
 import { number } from "../../shared/figures/format";
 import { useLengths, useUnit } from "../../shared/figures/unit";
+import { baseName } from "../../state/files/files";
 import { Part } from "../panel/Section";
 import { displacement, force, stress } from "./words";
 
@@ -42,7 +43,7 @@ function Takes({ resources }: { readonly resources: ResourcesReport }) {
 }
 
 /** Figures of the closed frame, over all wires that were drawn; as made and as closed of the first of them. */
-export function Closed({ shown }: { readonly shown: FrameShown }) {
+export function Closed({ shown, faces }: { readonly shown: FrameShown; readonly faces: string | null }) {
   const unit = useUnit();
   const { closing, of_runs, resources, runs } = shown.result;
   const first = shown.shapes.closed;
@@ -50,7 +51,7 @@ export function Closed({ shown }: { readonly shown: FrameShown }) {
   const sd = of_runs?.sd;
   const rows: readonly FigureRow[] = [
     [
-      "Off the drawing, RMS",
+      faces === null ? "Off the drawing, RMS" : `Faces of ${baseName(faces)} off flat, RMS`,
       displacement(closing.surface_rms_mm, unit),
       sd ? `± ${displacement(sd.surface_rms_mm, unit)}` : "",
     ],

@@ -7,6 +7,7 @@ vi.mock("../../platform", () => ({ platform: { ask }, Refused: class Refused ext
 
 import { place } from "../../shared/testing";
 import { useDesign } from "../../state/design/design";
+import { select } from "../../state/design/selection";
 import { forgetFrame, useFrame } from "../../state/frame/frame";
 import { useShape } from "../../state/frame/shape";
 import { frameShown, smallFrame } from "../../state/frame/testing";
@@ -30,6 +31,7 @@ beforeEach(() => {
 
 const button = (name: string) =>
   [...at.host.querySelectorAll("button")].find(({ textContent }) => textContent === name);
+const openLoads = () => act(() => at.host.querySelector<HTMLButtonElement>(".fold-head")?.click());
 const press = (name: string) => act(async () => button(name)?.click());
 
 it("has nothing to compute without a design", () => {
@@ -69,4 +71,39 @@ it("shows what is refused, with what to do", async () => {
   await press("Compute");
   expect(at.host.textContent).toContain("Material x has no shear modulus. Choose another material.");
   expect(useFrame.getState().asking).toBe(false);
+});
+
+it("puts a force on what is selected, lists it, and takes it away", async () => {
+  at.show(<FrameSection />);
+  openLoads();
+  act(() => select([2]));
+  await press("Put on selected");
+  expect(at.host.querySelector('[aria-label="Forces"]')?.textContent).toContain("vertex 2z −1 N");
+  const remove = at.host.querySelector<HTMLButtonElement>('[aria-label="Remove the force at vertex 2"]');
+  act(() => remove?.click());
+  expect(at.host.textContent).toContain("No forces at vertices.");
+});
+
+it("has presets of gravity, of which that of a file needs one", async () => {
+  at.show(<FrameSection />);
+  openLoads();
+  const radio = (label: string) =>
+    [...at.host.querySelectorAll<HTMLLabelElement>('[aria-label="Gravity"] label')]
+      .find(({ textContent }) => textContent === label)
+      ?.querySelector("input");
+  act(() => radio("None")?.click());
+  expect(useFrame.getState().gravity).toEqual([0, 0, 0]);
+  expect(radio("Of the file")?.disabled).toBe(true);
+  act(() => radio("Down")?.click());
+  expect(useFrame.getState().gravity).toEqual([0, 0, -1]);
+});
+
+it("cancels at once, and says so", async () => {
+  at.show(<FrameSection />);
+  ask.mockReturnValue(new Promise(() => {}));
+  await press("Compute");
+  await press("Cancel");
+  expect(ask).toHaveBeenLastCalledWith("stop-frame", {});
+  expect(at.host.textContent).toContain("Cancelled.");
+  expect(button("Compute")).toBeDefined();
 });

@@ -1,12 +1,14 @@
 import { Button } from "../../shared/controls/Button";
 import { Bar } from "../../shared/controls/inputs";
+import { sentence } from "../../shared/figures/format";
 import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { useWork } from "../../state/asking/work";
 import { useDesign } from "../../state/design/design";
-import { computeFrame, useFrame, useFrameStale } from "../../state/frame/frame";
+import { cancelFrame, computeFrame, useFrame, useFrameStale } from "../../state/frame/frame";
 import { Section } from "../panel/Section";
 import { Closed } from "./Closed";
+import { Files } from "./Files";
 import { Results } from "./Results";
 import { ClosingSetup, Setup } from "./Setup";
 import { Shown } from "./Shown";
@@ -38,7 +40,10 @@ export function FrameSection() {
       tone={asking ? null : wrong ? "error" : stale ? "warning" : answer ? "fine" : null}
     >
       {empty ? (
-        <p className="muted">Draw or open a design. Its edges are then computed as struts that are rigidly joined.</p>
+        <div className="stack">
+          <p className="muted">Draw or open a design. Its edges are then computed as struts that are rigidly joined.</p>
+          <Tolerance />
+        </div>
       ) : (
         <div className="stack">
           <Setup />
@@ -54,7 +59,8 @@ export function FrameSection() {
               <>
                 <Results shown={answer.value} />
                 <Shown />
-                <Closed shown={answer.value} />
+                <Closed shown={answer.value} faces={answer.faces} />
+                <Files />
               </>
             )}
             <Tolerance />
@@ -66,23 +72,30 @@ export function FrameSection() {
 }
 
 function Compute() {
-  const asking = useFrame((frame) => frame.asking);
+  const { asking, cancelled } = useFrame();
   const stale = useFrameStale();
   const work = useWork(({ works }) => works.get("frame"));
   return (
     <>
       <div className="row">
         <span className="grow muted small" role="status">
-          {asking ? `${work?.stage || "computing"}…` : stale ? "Changed since it was computed." : ""}
+          {asking
+            ? `${sentence(work?.stage || "computing")}…`
+            : cancelled
+              ? "Cancelled."
+              : stale
+                ? "Changed since it was computed."
+                : ""}
         </span>
-        <Button
-          kind="primary"
-          className="frame-go"
-          why={asking ? "It is being computed." : null}
-          onClick={() => void computeFrame()}
-        >
-          Compute
-        </Button>
+        {asking ? (
+          <Button className="frame-go" onClick={cancelFrame}>
+            Cancel
+          </Button>
+        ) : (
+          <Button kind="primary" className="frame-go" onClick={() => void computeFrame()}>
+            Compute
+          </Button>
+        )}
       </div>
       <div className="frame-bar">{asking && <Bar done={work?.done ?? 0} of={work?.of ?? 0} label="Computing" />}</div>
     </>

@@ -17,12 +17,12 @@ import {
 } from "../../state/frame/frame";
 import { needMachines, useMachines } from "../../state/machine/machines";
 import { Part } from "../panel/Section";
+import { Faces } from "./Faces";
+import { Loads } from "./Loads";
 
-const AXES = ["X", "Y", "Z"] as const;
-
-/** Material, supports and gravity. */
+/** Material, supports and loads. */
 export function Setup() {
-  const { material, hold, gravity, modes } = useFrame();
+  const { material, hold, modes } = useFrame();
   const own = useDesign(({ state }) => state?.material ?? null);
   const held = useDesign(({ vertices }) => [...vertices.values()].filter(({ support }) => support).length);
   const chosen = useFrame((frame) => frame.chosen.size);
@@ -65,28 +65,7 @@ export function Setup() {
         )}
       </Field>
       <Supports />
-      <Field label="Gravity">
-        {() => (
-          <div className="frame-three">
-            {AXES.map((name, axis) => (
-              <NumberField
-                key={name}
-                label={`Gravity along ${name}, times standard gravity`}
-                prefix={name}
-                kind="number"
-                value={gravity[axis] ?? 0}
-                min={-1000}
-                max={1000}
-                onCommit={(value) =>
-                  chooseFrame({
-                    gravity: gravity.map((one, at) => (at === axis ? value : one)) as [number, number, number],
-                  })
-                }
-              />
-            ))}
-          </div>
-        )}
-      </Field>
+      <Loads />
       <Field label="Modes">
         {(ids) => (
           <NumberField
@@ -183,6 +162,7 @@ export function ClosingSetup() {
                 />
               )}
             </Field>
+            <Faces />
           </>
         )}
         <Field label="Joints" stacked>

@@ -1,14 +1,79 @@
+import type { ContinuumChoice } from "../../generated/requests";
 import { Button } from "../../shared/controls/Button";
 import { Field } from "../../shared/controls/Field";
-import { Bar, Segmented } from "../../shared/controls/inputs";
+import { Bar, Checkbox, Segmented } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
 import { short } from "../../shared/figures/format";
 import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { useDesign } from "../../state/design/design";
+import { baseName } from "../../state/files/files";
 import { askTolerance, require, useFrame, useToleranceStale } from "../../state/frame/frame";
 import { Part } from "../panel/Section";
+import { Faces } from "./Faces";
 import { displacement, exactness, force, stress } from "./words";
+
+/** A truss of the size of an antenna, in place of the design. */
+const LARGE: ContinuumChoice = { rings: 408, depth_mm: 50, diameter_mm: 50_000 };
+
+/** A truss that is too large to be solved. */
+function Continuum() {
+  const truss = useFrame(({ required }) => required.continuum);
+  const change = (part: Partial<ContinuumChoice>) => truss && require({ continuum: { ...truss, ...part } });
+  return (
+    <>
+      <Checkbox
+        checked={truss !== null}
+        onChange={(checked) =>
+          require(checked ? { continuum: LARGE, vary: "feed", stress: null } : { continuum: null })
+        }
+      >
+        A large truss by closed formulas, in place of the design
+      </Checkbox>
+      {truss && (
+        <>
+          <Field label="Rings">
+            {(ids) => (
+              <NumberField
+                {...ids}
+                label="Rings around the middle triangle"
+                kind="whole"
+                value={truss.rings}
+                min={1}
+                max={1_000_000}
+                onCommit={(rings) => change({ rings })}
+              />
+            )}
+          </Field>
+          <Field label="Depth">
+            {(ids) => (
+              <NumberField
+                {...ids}
+                label="Depth of the truss"
+                value={truss.depth_mm}
+                min={1e-3}
+                max={1e9}
+                onCommit={(depth_mm) => change({ depth_mm })}
+              />
+            )}
+          </Field>
+          <Field label="Diameter">
+            {(ids) => (
+              <NumberField
+                {...ids}
+                label="Diameter of the truss"
+                value={truss.diameter_mm}
+                min={1e-3}
+                max={1e9}
+                onCommit={(diameter_mm) => change({ diameter_mm })}
+              />
+            )}
+          </Field>
+        </>
+      )}
+    </>
+  );
+}
 
 /** How good a machine must be for what is required. */
 export function Tolerance() {
@@ -17,11 +82,12 @@ export function Tolerance() {
   const unit = useUnit();
   const empty = useDesign((design) => design.edges.size === 0);
   const none = required.surface === null && required.force === null && required.stress === null;
+  const only = required.continuum ? "The closed formulas know feeds alone." : null;
   const found = tolerance?.value;
   const rows = found && [
     {
       of: "surface",
-      label: "Shape",
+      label: tolerance.faces === null ? "Shape" : `Faces of ${baseName(tolerance.faces)}`,
       limit: required.surface,
       is: found.achieved.surface_mm,
       show: (mm: number) => displacement(mm, unit),
@@ -83,6 +149,7 @@ export function Tolerance() {
               <NumberField
                 {...ids}
                 label="Stress, at most"
+                why={required.continuum ? "The closed formulas know no stresses." : null}
                 kind="number"
                 unit="MPa"
                 value={required.stress}
@@ -95,6 +162,8 @@ export function Tolerance() {
             </div>
           )}
         </Field>
+        <Continuum />
+        {!required.continuum && <Faces />}
         <Field label="Errors of">
           {() => (
             <Segmented
@@ -102,8 +171,8 @@ export function Tolerance() {
               value={required.vary}
               choices={[
                 { value: "feed", label: "Feeds" },
-                { value: "angle", label: "Angles" },
-                { value: "both", label: "Both" },
+                { value: "angle", label: "Angles", why: only },
+                { value: "both", label: "Both", why: only },
               ]}
               onChoose={(vary) => require({ vary })}
             />
@@ -113,7 +182,7 @@ export function Tolerance() {
           <span className="grow muted small">{stale ? "Changed since." : "All values are root mean squares."}</span>
           <Button
             why={
-              empty
+              empty && !required.continuum
                 ? "Draw or open a design first."
                 : none
                   ? "Say what is required first."

@@ -46,7 +46,7 @@ describe("a frame in the view", () => {
 
 describe("words of a frame", () => {
   it("names true scale", () => {
-    expect([enlarged(1), enlarged(500)]).toEqual(["true scale", "500 × enlarged"]);
+    expect([enlarged(1), enlarged(500), enlarged(0.05)]).toEqual(["true scale", "500 × enlarged", "0.05 × true scale"]);
   });
 
   it("says in the header how far it moves and how it vibrates", () => {

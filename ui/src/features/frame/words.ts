@@ -1,5 +1,5 @@
-import type { FrameShown } from "../../generated/responses";
-import { type DisplayUnit, length, number, percent, short } from "../../shared/figures/format";
+import type { FrameShown, LoadCaseEntry } from "../../generated/responses";
+import { count, type DisplayUnit, length, number, percent, short } from "../../shared/figures/format";
 import type { Coloured, FrameView } from "../../state/frame/shape";
 
 /** What is less moves nothing that could be measured; in the unit that is shown. */
@@ -30,7 +30,7 @@ export const mass = (grams: number): string =>
 
 /** By how much displacements are enlarged. */
 export const enlarged = (scale: number): string =>
-  Math.abs(scale - 1) < 1e-9 ? "true scale" : `${short(scale, 2)} × enlarged`;
+  Math.abs(scale - 1) < 1e-9 ? "true scale" : `${short(scale, 2)} × ${scale < 1 ? "true scale" : "enlarged"}`;
 
 export const COLOURED: Readonly<Record<Coloured, string>> = {
   displacement: "Displacement",
@@ -61,6 +61,25 @@ export function endsOf(coloured: Coloured, most: number, unit: DisplayUnit): rea
     case "axial":
       return [force(-most), "0", force(most)];
   }
+}
+
+const AXIS_NAMES = ["x", "y", "z"] as const;
+
+/** Where a force pulls: the parts that there are. */
+export const forceParts = (parts: readonly number[]): string =>
+  parts.flatMap((part, axis) => (part === 0 ? [] : [`${AXIS_NAMES[axis]} ${force(part)}`])).join(", ");
+
+/** What a load case has. */
+export function caseSays({ forces, moments, along_edges, gravity }: LoadCaseEntry): string {
+  const parts = [
+    forces.length > 0 ? count(forces.length, "force") : null,
+    moments > 0 ? count(moments, "moment") : null,
+    along_edges > 0 ? `${count(along_edges, "load")} along edges` : null,
+  ].filter(Boolean);
+  const weight = gravity
+    ? "Its gravity is its own."
+    : "It says nothing of gravity: without another choice nothing weighs.";
+  return `${parts.length > 0 ? parts.join(", ") : "Nothing but gravity"}. ${weight}`;
 }
 
 /** What the header of the section says. */

@@ -9,6 +9,7 @@ import { useSelection } from "../../state/design/selection";
 import { useFiles } from "../../state/files/files";
 import { movedOf, usualScale } from "../../state/frame/figures";
 import { useFrame } from "../../state/frame/frame";
+import { drawnForces } from "../../state/frame/loads";
 import { useShape } from "../../state/frame/shape";
 import { useByHand } from "../../state/machine/by_hand";
 import { coloursOf, shownDesign } from "../../state/parts/parts";
@@ -123,10 +124,11 @@ export function show(scene: Scene): () => void {
     if (moved) scene.setStrutScale((scale ?? usualScale(moved)) * swing);
   };
   const supports = () => {
-    const { hold, chosen } = useFrame.getState();
+    const { hold, chosen, forces, loadFile } = useFrame.getState();
     const { vertices } = useDesign.getState();
     const at = (id: number) => vertices.get(id)?.at ?? [];
-    scene.setHeld(hold === "chosen" ? [...chosen].map(at).filter((place) => place.length === 3) : []);
+    const places = hold === "chosen" ? [...chosen].map(at).filter((place) => place.length === 3) : [];
+    scene.setHeld({ places, forces: drawnForces({ forces, loadFile }) });
   };
   const spread = () => {
     const prediction = predictedNow();
@@ -285,7 +287,7 @@ export function show(scene: Scene): () => void {
     follow(useDesign, ({ version, state }) => [version, state?.machine, state?.material], spread),
     follow(usePlayback, ({ played }) => [played], playedSpread),
     follow(useProgram, ({ basis, wire }) => [basis, wire], playedSpread),
-    follow(useFrame, ({ hold, chosen }) => [hold, chosen], supports),
+    follow(useFrame, ({ hold, chosen, forces, loadFile }) => [hold, chosen, forces, loadFile], supports),
     follow(useDesign, ({ vertices }) => [vertices], supports),
     follow(
       usePlayback,

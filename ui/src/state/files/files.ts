@@ -78,7 +78,7 @@ const ALL: FileKind = {
 };
 
 /** What a file of the design is called, without the folder and the extension of what it was read from. */
-function stem(): string {
+export function designStem(): string {
   const name = useDesign.getState().state?.name || "design";
   const extension = ALL.extensions.find((known) => name.toLowerCase().endsWith(`.${known}`));
   return extension ? name.slice(0, -extension.length - 1) || name : name;
@@ -302,7 +302,7 @@ export async function save(): Promise<boolean> {
 
 export async function saveAs(): Promise<boolean> {
   const { opened: design } = useFiles.getState();
-  const path = await told(platform.pickSave(`${stem()}.wirebend`, DESIGNS));
+  const path = await told(platform.pickSave(`${designStem()}.wirebend`, DESIGNS));
   if (!path) return false;
   if (design === useFiles.getState().opened) return saveTo(path);
   tell("warning", "Not saved: another design was opened meanwhile.", "not-saved");
@@ -351,7 +351,7 @@ export async function closeDesign(): Promise<void> {
 /** Plans the design and writes it as a job; a design that cannot be made is refused, with the reason. */
 export async function saveJob(): Promise<void> {
   const { despiteErrors } = useExports.getState();
-  const path = await told(platform.pickSave(`${stem()}.wbjob`, { name: "Jobs", extensions: ["wbjob"] }));
+  const path = await told(platform.pickSave(`${designStem()}.wbjob`, { name: "Jobs", extensions: ["wbjob"] }));
   if (!path) return;
   const asked = asking("save-job", { output: { path, force: true }, despite_errors: despiteErrors });
   const saved = await told(ofDesign(asked));
@@ -362,7 +362,7 @@ export async function saveJob(): Promise<void> {
 
 /** Writes the wires as lines for another program. */
 export async function saveWireframe(): Promise<void> {
-  const path = await told(platform.pickSave(`${stem()}.obj`, { name: "Models", extensions: ["obj"] }));
+  const path = await told(platform.pickSave(`${designStem()}.obj`, { name: "Models", extensions: ["obj"] }));
   if (!path) return;
   const saved = await told(asking("save-wireframe", { output: { path, force: true } }));
   if (saved) tell("info", `The wireframe is in ${saved.file}.`, "wireframe-saved");

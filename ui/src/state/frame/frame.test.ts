@@ -9,6 +9,7 @@ import { designState } from "../testing";
 import { extent, largest, movedOf, usualScale } from "./figures";
 import {
   askTolerance,
+  cancelFrame,
   chooseFrame,
   computeFrame,
   forgetFrame,
@@ -25,7 +26,7 @@ beforeEach(() => {
   ask.mockReset();
   forgetFrame();
   chooseFrame({ material: null, errors: null, gravity: [0, 0, -1], modes: 6, double: false });
-  require({ surface: null, force: null, stress: null, vary: "feed" });
+  require({ surface: null, force: null, stress: null, vary: "feed", continuum: null });
   usePlayback.setState({ played: null, live: false });
   useDesign.setState({ ...smallFrame(), state: designState(), version: 1 });
 });
@@ -40,8 +41,10 @@ describe("computing a frame", () => {
       material: null,
       supports: { vertices: [1, 2] },
       gravity: [0, 0, -1],
+      loads: null,
+      forces: [],
       modes: 3,
-      close: { errors: "bend-forming", closing: "aligned", runs: 100, seed: 1 },
+      close: { errors: "bend-forming", closing: "aligned", runs: 100, seed: 1, faces: null },
       double: false,
     });
     expect(useShape.getState().view).toEqual({ kind: "loaded" });
@@ -64,6 +67,23 @@ describe("computing a frame", () => {
       asking: false,
     });
     expect(useShape.getState().view).toBeNull();
+  });
+
+  it("is cancelled at once, and keeps what was computed before", async () => {
+    ask.mockResolvedValue(frameShown());
+    await computeFrame();
+    const before = useFrame.getState().answer;
+    let answer = (_: unknown) => {};
+    ask.mockReturnValueOnce(new Promise((resolve) => (answer = resolve)));
+    const computed = computeFrame();
+    cancelFrame();
+    expect(ask).toHaveBeenLastCalledWith("stop-frame", {});
+    expect(useFrame.getState()).toMatchObject({ asking: false, cancelled: true, answer: before });
+    answer(frameShown());
+    await computed;
+    expect(useFrame.getState()).toMatchObject({ cancelled: true, answer: before });
+    await computeFrame();
+    expect(useFrame.getState().cancelled).toBe(false);
   });
 
   it("leaves an answer aside that is of a design that was closed", async () => {
@@ -101,8 +121,25 @@ describe("the tolerance", () => {
       vary: "both",
       closing: "aligned",
       double: false,
+      faces: null,
+      continuum: null,
     });
     expect(useFrame.getState().tolerance?.value.governed_by).toBe("force");
+  });
+});
+
+describe("a truss of closed formulas", () => {
+  it("is asked for in place of the design, which may change", async () => {
+    ask.mockResolvedValue({ material: "wire", governed_by: "surface", achieved: {}, notes: [] });
+    const continuum = { rings: 408, depth_mm: 50, diameter_mm: 50_000 };
+    chooseFrame({ faces: "/there/faces.json" });
+    require({ surface: 1, continuum });
+    await askTolerance();
+    expect(ask).toHaveBeenCalledWith("tolerance", expect.objectContaining({ continuum, faces: null }));
+    const { basis } = useFrame.getState().tolerance ?? {};
+    useDesign.setState({ version: 2 });
+    await askTolerance();
+    expect(useFrame.getState().tolerance?.basis).toBe(basis);
   });
 });
 

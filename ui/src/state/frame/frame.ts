@@ -1,8 +1,8 @@
 /** The open design as a frame: what was chosen, and what was computed of it. */
 
 import { create } from "zustand";
-import type { ClosingName, FrameSupports, VaryName } from "../../generated/requests";
-import type { FrameChoices, FrameShown, ToleranceResponse } from "../../generated/responses";
+import type { ClosingName, ContinuumChoice, FrameDesign, FrameSupports, VaryName } from "../../generated/requests";
+import type { FrameChoices, FrameShown, LoadCaseEntry, ToleranceResponse } from "../../generated/responses";
 import { platform } from "../../platform";
 import type { Vec3 } from "../../scene/interface";
 import { told } from "../asking/problems";
@@ -13,14 +13,24 @@ import { showFrame } from "./shape";
 /** What holds the frame. */
 export type Hold = "design" | "free" | "chosen";
 
+/** A file of load cases, and which of them acts. */
+interface LoadFile {
+  readonly path: string;
+  readonly cases: readonly LoadCaseEntry[];
+  readonly chosen: string;
+}
+
 export interface FrameChoice {
   /** Null: that of the design. */
   readonly material: string | null;
   readonly hold: Hold;
   /** Vertices that a person has chosen as supports. */
   readonly chosen: ReadonlySet<number>;
-  /** Multiples of standard gravity. */
-  readonly gravity: Vec3;
+  /** Multiples of standard gravity; null: as the load case says. */
+  readonly gravity: Vec3 | null;
+  /** Forces that a person has put on vertices, N. */
+  readonly forces: ReadonlyMap<number, Vec3>;
+  readonly loadFile: LoadFile | null;
   readonly modes: number;
   /** Errors of a machine with which the wires are made and closed; null: joints are not closed. */
   readonly errors: string | null;
@@ -28,6 +38,8 @@ export interface FrameChoice {
   readonly runs: number;
   /** Whether wires may run along edges twice. */
   readonly double: boolean;
+  /** The file of the faces that are to be flat; null: all vertices count. */
+  readonly faces: string | null;
 }
 
 /** What is required of the closed frame; null: nothing. */
@@ -36,12 +48,16 @@ export interface Required {
   readonly force: number | null;
   readonly stress: number | null;
   readonly vary: VaryName;
+  /** A truss of closed formulas in place of the design. */
+  readonly continuum: ContinuumChoice | null;
 }
 
 /** An answer, and what it is of. */
 interface Answer<T> {
   readonly value: T;
   readonly basis: string;
+  /** The file of the faces that are measured; null: all vertices count. */
+  readonly faces: string | null;
 }
 
 interface FrameStore extends FrameChoice {
@@ -49,6 +65,8 @@ interface FrameStore extends FrameChoice {
   readonly picking: boolean;
   readonly answer: Answer<FrameShown> | null;
   readonly asking: boolean;
+  /** A person has ended the last computation: what was there before is shown on. */
+  readonly cancelled: boolean;
   /** Why there is none. */
   readonly problem: string | null;
   readonly required: Required;
@@ -64,17 +82,21 @@ const USUAL: FrameChoice = {
   hold: "design",
   chosen: new Set(),
   gravity: [0, 0, -1],
+  forces: new Map(),
+  loadFile: null,
   modes: 6,
   errors: null,
   closing: "aligned",
   runs: 100,
   double: false,
+  faces: null,
 };
 
 const NO_ANSWERS = {
   picking: false,
   answer: null,
   asking: false,
+  cancelled: false,
   problem: null,
   tolerance: null,
   askingTolerance: false,
@@ -84,7 +106,7 @@ const NO_ANSWERS = {
 export const useFrame = create<FrameStore>()(() => ({
   ...USUAL,
   ...NO_ANSWERS,
-  required: { surface: null, force: null, stress: null, vary: "feed" },
+  required: { surface: null, force: null, stress: null, vary: "feed", continuum: null },
   choices: null,
 }));
 
@@ -127,15 +149,35 @@ function supports({ hold, chosen }: FrameChoice): FrameSupports {
 
 /** What an answer is of: with anything of this another it is out of date. */
 function basisOf(choice: FrameChoice): string {
-  const { material, gravity, modes, errors, closing, runs, double } = choice;
   const { version, state } = useDesign.getState();
-  const closes = errors === null ? null : [errors, closing, runs, double, state?.machine];
-  return JSON.stringify([version, state?.material, material, supports(choice), gravity, modes, closes]);
+  return JSON.stringify([
+    version,
+    state?.material,
+    choice.errors === null ? null : state?.machine,
+    frameRequest(choice),
+  ]);
 }
 
-function toleranceBasis({ required, material, closing, double }: FrameStore): string {
+/** What is asked of the Rust side. */
+export function frameRequest(choice: FrameChoice): FrameDesign {
+  const { material, gravity, forces, loadFile, modes, errors, closing, runs, double, faces } = choice;
+  return {
+    material,
+    supports: supports(choice),
+    gravity: gravity && ([...gravity] as [number, number, number]),
+    loads: loadFile && { file: { file: loadFile.path }, case: loadFile.chosen },
+    forces: [...forces].map(([vertex, force]) => ({ vertex, force_n: [...force] as [number, number, number] })),
+    modes,
+    close: errors === null ? null : { errors, closing, runs, seed: 1, faces: faces === null ? null : { file: faces } },
+    double: errors !== null && double,
+  };
+}
+
+function toleranceBasis({ required, material, closing, double, faces }: FrameStore): string {
   const { version, state } = useDesign.getState();
-  return JSON.stringify([version, state?.machine, state?.material, required, material, closing, double]);
+  const { continuum } = required;
+  const design = continuum ? null : [version, state?.machine, closing, double, faces];
+  return JSON.stringify([design, state?.material, required, material]);
 }
 
 /** Whether anything was changed since the frame was computed. */
@@ -162,29 +204,29 @@ let opened = 0;
 export async function computeFrame(): Promise<void> {
   const choice = useFrame.getState();
   if (choice.asking) return;
-  const { material, gravity, modes, errors, closing, runs, double } = choice;
   const basis = basisOf(choice);
   asked += 1;
   const question = asked;
-  useFrame.setState({ asking: true, picking: false });
+  useFrame.setState({ asking: true, picking: false, cancelled: false });
   let answer: Pick<FrameStore, "answer" | "problem">;
   try {
-    const close = errors === null ? null : { errors, closing, runs, seed: 1 };
-    const value = await asking("frame", {
-      material,
-      supports: supports(choice),
-      gravity: [...gravity] as [number, number, number],
-      modes,
-      close,
-      double,
-    });
-    answer = { answer: { value, basis }, problem: null };
+    const value = await asking("frame", frameRequest(choice));
+    answer = { answer: { value, basis, faces: choice.faces }, problem: null };
   } catch (error) {
     answer = { answer: null, problem: wordsOf(error) };
   }
   if (question !== asked) return;
   useFrame.setState({ ...answer, asking: false });
   showFrame(answer.answer ? firstView(answer.answer.value) : null);
+}
+
+/** A person has had enough: what was computed before stays. */
+export function cancelFrame(): void {
+  if (!useFrame.getState().asking) return;
+  asked += 1;
+  useFrame.setState({ asking: false, cancelled: true });
+  // What cannot be stopped is answered some time, and nobody hears it.
+  void platform.ask("stop-frame", {}).catch(() => {});
 }
 
 /** What is shown first of an answer: what it carries, else how it vibrates. */
@@ -198,21 +240,23 @@ function firstView({ shapes, result }: FrameShown): Parameters<typeof showFrame>
 export async function askTolerance(): Promise<void> {
   const frame = useFrame.getState();
   if (frame.askingTolerance) return;
-  const { required, material, closing, double } = frame;
+  const { required, material, closing, double, faces } = frame;
   const basis = toleranceBasis(frame);
   useFrame.setState({ askingTolerance: true });
   const before = opened;
   let answer: Pick<FrameStore, "tolerance" | "toleranceProblem">;
   try {
-    const { surface, force, stress, vary } = required;
+    const { surface, force, stress, vary, continuum } = required;
     const value = await asking("tolerance", {
       material,
       required: { surface_mm: surface, force_n: force, stress_mpa: stress },
       vary,
       closing,
       double,
+      faces: faces === null || continuum ? null : { file: faces },
+      continuum,
     });
-    answer = { tolerance: { value, basis }, toleranceProblem: null };
+    answer = { tolerance: { value, basis, faces: continuum ? null : faces }, toleranceProblem: null };
   } catch (error) {
     answer = { tolerance: null, toleranceProblem: wordsOf(error) };
   }
@@ -223,14 +267,26 @@ export async function askTolerance(): Promise<void> {
 export function forgetFrame(): void {
   asked += 1;
   opened += 1;
-  useFrame.setState({ ...NO_ANSWERS, hold: "design", chosen: new Set() });
+  if (useFrame.getState().asking) void platform.ask("stop-frame", {}).catch(() => {});
+  const { gravity } = useFrame.getState();
+  useFrame.setState({
+    ...NO_ANSWERS,
+    hold: "design",
+    chosen: new Set(),
+    gravity: gravity ?? USUAL.gravity,
+    forces: new Map(),
+    loadFile: null,
+    faces: null,
+  });
   showFrame(null);
 }
 
-/** Supports that are not there any more hold nothing. */
+/** Supports and forces at vertices that are not there any more go with them. */
 export function keepSupports(): void {
   const { vertices } = useDesign.getState();
-  const { chosen } = useFrame.getState();
+  const { chosen, forces } = useFrame.getState();
   const left = [...chosen].filter((id) => vertices.has(id));
   if (left.length < chosen.size) useFrame.setState({ chosen: new Set(left) });
+  const loaded = [...forces].filter(([id]) => vertices.has(id));
+  if (loaded.length < forces.size) useFrame.setState({ forces: new Map(loaded) });
 }
