@@ -63,6 +63,34 @@ it("checks an order of one's own at once, and takes it back", async () => {
   await slider().waitFor({ state: "detached" });
 });
 
+it("places the struts of a wire together, once the walks of the wires are chosen", async () => {
+  const wires = section().getByRole("radio", { name: /^A wire/ });
+  expect(await wires.isDisabled()).toBe(true);
+  const walks = [
+    { start: 0, edges: [0, 2] },
+    { start: 1, edges: [1, 3] },
+  ];
+  await editor.loopback.ask("edit", { request: { edit: "walks", walks } });
+  await editor.reload("sequence");
+  await section().getByText("A wire (2)").click();
+  await section().getByRole("button", { name: "Find", exact: true }).click();
+  await until(() => options().count()).toBe(2);
+  await section().getByRole("option").filter({ hasText: "0 +1" }).waitFor();
+  await options().first().click();
+  await picture(editor.page, "sequence-wires");
+});
+
+it("cancels a search at once, and keeps what was found before", async () => {
+  const input = { file: `${root}examples/bunny-frame.pwf` };
+  await editor.loopback.ask("open", { design: { input, units: "mm" } });
+  await editor.reload("sequence");
+  await section().getByRole("button", { name: "Find", exact: true }).click();
+  await section().getByRole("button", { name: "Cancel", exact: true }).click();
+  await section().getByText("Cancelled.").waitFor();
+  await section().getByRole("button", { name: "Find", exact: true }).waitFor();
+  await picture(editor.page, "sequence-cancelled");
+});
+
 it("says what is missing where nothing stands on the ground", async () => {
   await editor.take("house", "sequence");
   await section().getByRole("button", { name: "Find", exact: true }).click();

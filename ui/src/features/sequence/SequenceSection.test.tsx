@@ -44,7 +44,12 @@ it("finds a sequence with the material of the machine, and steps through it on t
     </>,
   );
   await press("Find");
-  expect(ask).toHaveBeenCalledWith("sequence", { machine: "builder", material: "abs", epsilon_mm: null });
+  expect(ask).toHaveBeenCalledWith("sequence", {
+    machine: "builder",
+    material: "abs",
+    epsilon_mm: null,
+    group_by: "edge",
+  });
   expect(at.host.textContent).toContain("Largest sag0.2 mm of 0.65 mm");
   expect(at.host.textContent).toContain("step 2 / 2 · edge 1");
   await press("Step back");
@@ -80,11 +85,12 @@ it("says what is wrong with an order of one's own, and takes it back", async () 
   expect(at.host.textContent).not.toContain("Edge 1 hangs on nothing");
 });
 
-it("tells how far a search is, and stops it", async () => {
+it("tells how far a search is, and cancels it", async () => {
   ask.mockReturnValue(new Promise(() => {}));
   at.show(<SequenceSection />);
   await press("Find");
   expect(at.host.textContent).toContain("looking for a sequence…");
-  await press("Stop");
+  await press("Cancel");
   expect(ask).toHaveBeenLastCalledWith("stop-sequence", {});
+  expect(at.host.textContent).toContain("Cancelled.");
 });

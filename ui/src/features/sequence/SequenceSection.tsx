@@ -2,7 +2,7 @@ import { useEffect } from "react";
 import type { DrawnSequence } from "../../generated/responses";
 import { Button } from "../../shared/controls/Button";
 import { Field } from "../../shared/controls/Field";
-import { Bar, Checkbox, Select } from "../../shared/controls/inputs";
+import { Bar, Checkbox, Segmented, Select } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
 import { number, sentence, time } from "../../shared/figures/format";
 import { useLengths } from "../../shared/figures/unit";
@@ -11,13 +11,14 @@ import { useWork } from "../../state/asking/work";
 import { useDesign } from "../../state/design/design";
 import { needFrameChoices, useFrame } from "../../state/frame/frame";
 import {
+  cancelSequence,
   chooseBuilder,
   chooseEpsilon,
+  chooseGroups,
   findSequence,
   showLayers,
   shownSequence,
   slideTo,
-  stopSequence,
   takeBackMoves,
   useSequence,
   useSequenceStale,
@@ -78,7 +79,8 @@ export function SequenceSection() {
 }
 
 function Setup() {
-  const { machine, epsilon, asking, checking } = useSequence();
+  const { machine, epsilon, groupBy, asking, cancelled, checking } = useSequence();
+  const wires = useDesign(({ state }) => state?.walks.length ?? 0);
   const builders = useFrame(({ choices }) => choices?.strut_builders ?? null);
   const stale = useSequenceStale();
   const supports = useDesign(({ vertices }) => [...vertices.values()].some(({ support }) => support));
@@ -110,6 +112,23 @@ function Setup() {
         <span className="field-name">Struts</span>
         <span>{builder?.default_material ?? "of the design's material"}</span>
       </div>
+      <Field label="Placed">
+        {() => (
+          <Segmented
+            label="Placed at once"
+            value={groupBy}
+            choices={[
+              { value: "edge", label: "A strut" },
+              {
+                value: "wire",
+                label: wires > 0 ? `A wire (${wires})` : "A wire",
+                why: wires > 0 ? null : "Choose the walks of the wires first: which edges are one wire is not known.",
+              },
+            ]}
+            onChoose={chooseGroups}
+          />
+        )}
+      </Field>
       <Field label="Sag, at most">
         {(ids) => (
           <div className="row">
@@ -143,15 +162,17 @@ function Setup() {
               : `${sentence(work?.stage || "reading")}…`
             : checking
               ? "Checking the order…"
-              : stale
-                ? "The design has changed since."
-                : supports
-                  ? ""
-                  : "Mark the vertices on the ground as supports, under Edit."}
+              : cancelled
+                ? "Cancelled."
+                : stale
+                  ? "The design has changed since."
+                  : supports
+                    ? ""
+                    : "Mark the vertices on the ground as supports, under Edit."}
         </span>
         {asking ? (
-          <Button className="frame-go" onClick={() => void stopSequence()}>
-            Stop
+          <Button className="frame-go" onClick={cancelSequence}>
+            Cancel
           </Button>
         ) : (
           <Button
@@ -176,17 +197,12 @@ function Setup() {
 function Found({ drawn }: { readonly drawn: DrawnSequence }) {
   const { at, changed, layers } = useSequence();
   const { length, unit } = useLengths();
-  const { sequence, stopped } = drawn;
+  const { sequence } = drawn;
   const steps = sequence.steps.length;
   const found = useSequence((store) => store.found);
   const all = found?.sequence.layers ?? [];
   return (
     <>
-      {stopped && steps === 0 && (
-        <ul>
-          <Line tone="info" what="The search was stopped" sub="What was tried until then is not an answer." />
-        </ul>
-      )}
       {sequence.diagnostics.length > 0 && (
         <ul className="build-findings">
           {sequence.diagnostics.slice(0, MAX_FINDINGS).map((report) => (

@@ -98,7 +98,9 @@ export function Steps({ drawn }: { readonly drawn: DrawnSequence }) {
               onClick={() => slideTo(index + 1)}
             >
               <span>{index + 1}</span>
-              <span>{step.edge}</span>
+              <span title={step.edges ? `Edges ${step.edges.join(", ")}` : undefined}>
+                {step.edges ? `${step.edge} +${step.edges.length - 1}` : step.edge}
+              </span>
               <span className="ellipsis" title={KINDS[step.type]}>
                 {SHORT_KINDS[step.type]}
               </span>

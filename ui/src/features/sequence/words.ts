@@ -21,8 +21,8 @@ export const STRATEGIES: Readonly<
 };
 
 /** What the header of the section says. */
-export function phraseOf({ sequence, stopped }: DrawnSequence): string {
-  if (sequence.steps.length === 0) return stopped ? "stopped" : sequence.proved ? "cannot be built" : "not found";
+export function phraseOf({ sequence }: DrawnSequence): string {
+  if (sequence.steps.length === 0) return sequence.proved ? "cannot be built" : "not found";
   const wrong = sequence.diagnostics.length;
   return sequence.feasible
     ? count(sequence.steps.length, "step")

@@ -10,14 +10,15 @@ import { usePlayback } from "../program/program";
 import { designState } from "../testing";
 import { advanced } from "./clock";
 import {
+  cancelSequence,
   chooseBuilder,
+  chooseGroups,
   findSequence,
   forgetSequence,
   hideSequence,
   moveStep,
   slideTo,
   stepAt,
-  stopSequence,
   takeBackMoves,
   togglePlaySequence,
   useSequence,
@@ -37,7 +38,12 @@ beforeEach(() => {
 it("finds a sequence, and shows all of it built in place of a frame", async () => {
   showFrame({ kind: "loaded" });
   await findSequence("abs");
-  expect(ask).toHaveBeenCalledWith("sequence", { machine: "builder", material: "abs", epsilon_mm: null });
+  expect(ask).toHaveBeenCalledWith("sequence", {
+    machine: "builder",
+    material: "abs",
+    epsilon_mm: null,
+    group_by: "edge",
+  });
   expect(useSequence.getState()).toMatchObject({ shown: true, at: 2, problem: null });
   expect(useShape.getState().view).toBeNull();
 });
@@ -52,16 +58,41 @@ it("shows nothing of a search that has found none, or was refused", async () => 
   expect(useSequence.getState()).toMatchObject({ shown: false, found: null, problem: "no such machine" });
 });
 
-it("stops a search, and leaves an answer aside that is of a design that was closed", async () => {
+it("is cancelled at once, keeps what was found before, and leaves the answer aside", async () => {
+  await findSequence("abs");
+  const before = useSequence.getState().found;
   let answer = (_: unknown) => {};
   ask.mockReturnValueOnce(new Promise((resolve) => (answer = resolve)));
   const searched = findSequence("abs");
-  await stopSequence();
+  cancelSequence();
   expect(ask).toHaveBeenLastCalledWith("stop-sequence", {});
-  forgetSequence();
-  answer(sequenceDrawn());
+  expect(useSequence.getState()).toMatchObject({ asking: false, cancelled: true, found: before, shown: true });
+  answer(sequenceDrawn([]));
   await searched;
-  expect(useSequence.getState().found).toBeNull();
+  expect(useSequence.getState()).toMatchObject({ cancelled: true, found: before });
+  forgetSequence();
+  expect(useSequence.getState()).toMatchObject({ cancelled: false, found: null });
+});
+
+it("places wires as a whole, and moves them with all their edges", async () => {
+  chooseGroups("wire");
+  const drawn = sequenceDrawn();
+  const [first, second] = drawn.sequence.steps;
+  if (!first || !second) throw new Error("there are no steps");
+  const steps = [{ ...first, edges: [0, 5, 6] }, second];
+  ask.mockResolvedValue({ ...drawn, sequence: { ...drawn.sequence, steps } });
+  await findSequence("abs");
+  expect(ask).toHaveBeenLastCalledWith("sequence", expect.objectContaining({ group_by: "wire" }));
+  await moveStep(0, 1);
+  const asked = ask.mock.lastCall?.[1];
+  expect(asked).toMatchObject({
+    group_by: "wire",
+    order: [
+      { edge: 1, edges: [] },
+      { edge: 0, edges: [0, 5, 6] },
+    ],
+  });
+  chooseGroups("edge");
 });
 
 it("checks at once where a step is moved to: its head may stand anywhere, that of the others as it stood", async () => {
@@ -72,9 +103,10 @@ it("checks at once where a step is moved to: its head may stand anywhere, that o
     machine: "builder",
     material: "wire",
     epsilon_mm: null,
+    group_by: "edge",
     order: [
-      { edge: 1, from_vertex: 1, direction: null },
-      { edge: 0, from_vertex: 0, direction: [0, 0, 1] },
+      { edge: 1, edges: [], from_vertex: 1, direction: null },
+      { edge: 0, edges: [], from_vertex: 0, direction: [0, 0, 1] },
     ],
   });
   expect(useSequence.getState().changed?.sequence.steps.map(({ edge }) => edge)).toEqual([1, 0]);

@@ -1,6 +1,7 @@
 /** The order in which a machine builds the struts of the open design: looking for one, changing it, and playing it. */
 
 import { create } from "zustand";
+import type { GroupBy, OrderedStep } from "../../generated/requests";
 import type { DrawnSequence } from "../../generated/responses";
 import { platform } from "../../platform";
 import { asking } from "../asking/work";
@@ -14,6 +15,8 @@ interface SequenceStore {
   readonly machine: string | null;
   /** How far a joint may be off, mm; null: what the head still meets. */
   readonly epsilon: number | null;
+  /** What is placed at once: a strut, or all of a wire. */
+  readonly groupBy: GroupBy;
   /** What was found; null before, and where a search failed. */
   readonly found: DrawnSequence | null;
   /** The same in an order that a person has changed, as it was checked. */
@@ -22,6 +25,8 @@ interface SequenceStore {
   readonly basis: string;
   readonly asking: boolean;
   readonly checking: boolean;
+  /** A person has ended the last search: what was found before is shown on. */
+  readonly cancelled: boolean;
   /** Why there is no answer. */
   readonly problem: string | null;
   /** Whether the view shows it. */
@@ -39,13 +44,20 @@ const NONE = {
   basis: "",
   asking: false,
   checking: false,
+  cancelled: false,
   problem: null,
   shown: false,
   at: 0,
   playing: false,
 } as const;
 
-export const useSequence = create<SequenceStore>()(() => ({ machine: null, epsilon: null, layers: false, ...NONE }));
+export const useSequence = create<SequenceStore>()(() => ({
+  machine: null,
+  epsilon: null,
+  groupBy: "edge",
+  layers: false,
+  ...NONE,
+}));
 
 /** What is shown: what a person has made of the order, else what was found. */
 export const shownSequence = ({ found, changed }: Pick<SequenceStore, "found" | "changed">): DrawnSequence | null =>
@@ -59,12 +71,16 @@ export function chooseEpsilon(epsilon: number | null): void {
   useSequence.setState({ epsilon });
 }
 
+export function chooseGroups(groupBy: GroupBy): void {
+  useSequence.setState({ groupBy });
+}
+
 export function showLayers(layers: boolean): void {
   useSequence.setState({ layers });
 }
 
-function basisOf({ machine, epsilon }: Pick<SequenceStore, "machine" | "epsilon">): string {
-  return JSON.stringify([useDesign.getState().version, machine, epsilon]);
+function basisOf({ machine, epsilon, groupBy }: Pick<SequenceStore, "machine" | "epsilon" | "groupBy">): string {
+  return JSON.stringify([useDesign.getState().version, machine, epsilon, groupBy]);
 }
 
 export function useSequenceStale(): boolean {
@@ -80,30 +96,33 @@ let asked = 0;
 
 /** Looks for a sequence, and shows it. `material`: what the machine builds with. */
 export async function findSequence(material: string | null): Promise<void> {
-  const { machine, epsilon, asking: under } = useSequence.getState();
+  const { machine, epsilon, groupBy, asking: under } = useSequence.getState();
   if (machine === null || under) return;
-  const basis = basisOf({ machine, epsilon });
+  const basis = basisOf({ machine, epsilon, groupBy });
   asked += 1;
   const question = asked;
-  useSequence.setState({ asking: true, changed: null });
+  useSequence.setState({ asking: true, cancelled: false });
   let answer: Pick<SequenceStore, "found" | "problem">;
   try {
-    const found = await asking("sequence", { machine, material, epsilon_mm: epsilon });
+    const found = await asking("sequence", { machine, material, epsilon_mm: epsilon, group_by: groupBy });
     answer = { found, problem: null };
   } catch (error) {
     answer = { found: null, problem: wordsOf(error) };
   }
   if (question !== asked) return;
-  useSequence.setState({ ...answer, basis, asking: false, at: 0, playing: false });
+  useSequence.setState({ ...answer, changed: null, basis, asking: false, at: 0, playing: false });
   const steps = answer.found?.sequence.steps.length ?? 0;
   if (steps > 0) goToStep(steps);
   else hideSequence();
 }
 
-/** A person has had enough of a search. */
-export async function stopSequence(): Promise<void> {
-  // What cannot be stopped is answered some time.
-  await platform.ask("stop-sequence", {}).catch(() => {});
+/** A person has had enough of a search: what was found before stays. */
+export function cancelSequence(): void {
+  if (!useSequence.getState().asking) return;
+  asked += 1;
+  useSequence.setState({ asking: false, cancelled: true });
+  // What cannot be stopped is answered some time, and nobody hears it.
+  void platform.ask("stop-sequence", {}).catch(() => {});
 }
 
 /** Shows so many steps as built. What else the view may show gives way. */
@@ -147,25 +166,30 @@ export function togglePlaySequence(): void {
 
 /** Moves a step to another place, both from 0, and checks at once whether it can be built so. */
 export async function moveStep(from: number, to: number): Promise<void> {
-  const { machine, epsilon, found, checking } = useSequence.getState();
+  const { machine, epsilon, groupBy, found, checking } = useSequence.getState();
   const sequence = shownSequence(useSequence.getState());
   const steps = sequence?.sequence.steps ?? [];
   const moved = steps[from];
   if (machine === null || !found || !sequence || !moved || checking || from === to || !steps[to]) return;
   const others = steps.filter((_, index) => index !== from);
-  const order = [...others.slice(0, to), moved, ...others.slice(to)].map((step) => ({
-    edge: step.edge,
-    from_vertex: step.from_vertex ?? null,
-    // The head of the moved step stands as it can; that of the others as it does, where it still can.
-    direction: step.edge === moved.edge ? null : (step.direction ?? null),
-  }));
+  const order = [...others.slice(0, to), moved, ...others.slice(to)].map(
+    (step): OrderedStep => ({
+      edge: step.edge,
+      // A wire is fastened anew wherever it meets what stands.
+      edges: step.edges ?? [],
+      from_vertex: step.from_vertex ?? null,
+      // The head of the moved step stands as it can; that of the others as it does, where it still can.
+      direction: step.edge === moved.edge ? null : (step.direction ?? null),
+    }),
+  );
   asked += 1;
   const question = asked;
   useSequence.setState({ checking: true });
   let answer: Partial<SequenceStore>;
   try {
     const material = found.sequence.material;
-    answer = { changed: await asking("sequence", { machine, material, epsilon_mm: epsilon, order }), problem: null };
+    const changed = await asking("sequence", { machine, material, epsilon_mm: epsilon, group_by: groupBy, order });
+    answer = { changed, problem: null };
   } catch (error) {
     answer = { problem: wordsOf(error) };
   }
@@ -181,7 +205,7 @@ export function takeBackMoves(): void {
 
 /** Forgets what was of a design that was closed. */
 export function forgetSequence(): void {
+  cancelSequence();
   asked += 1;
-  if (useSequence.getState().asking) void stopSequence();
   useSequence.setState(NONE);
 }
