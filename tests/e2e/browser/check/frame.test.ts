@@ -193,6 +193,11 @@ it("closes the joints of a truss, and finds the tolerance that a requirement ask
   await section().getByRole("table", { name: "Closed frame" }).waitFor();
   await section().getByText("As made", { exact: true }).first().click();
   await legend().getByText("As made").waitFor();
+  await section()
+    .getByRole("table", { name: "The first wire" })
+    .getByRole("button", { name: /^vertex/ })
+    .first()
+    .click();
   await section().getByText("As closed", { exact: true }).first().click();
   await legend().getByText("As closed").waitFor();
   const force = section().getByLabel("Force", { exact: true });

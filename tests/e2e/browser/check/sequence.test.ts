@@ -77,6 +77,9 @@ it("places the struts of a wire together, once the walks of the wires are chosen
   await until(() => options().count()).toBe(2);
   await section().getByRole("option").filter({ hasText: "0 +1" }).waitFor();
   await options().first().click();
+  await timeline()
+    .getByText(/^step 1 \/ 2 · edge \d and 1 more$/)
+    .waitFor();
   await picture(editor.page, "sequence-wires");
 });
 

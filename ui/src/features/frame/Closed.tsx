@@ -3,6 +3,7 @@ import { number } from "../../shared/figures/format";
 import { useLengths, useUnit } from "../../shared/figures/unit";
 import { baseName } from "../../state/files/files";
 import { Part } from "../panel/Section";
+import { Place } from "./Place";
 import { displacement, force, stress } from "./words";
 
 /** What it is, its figure, and what is to be known beside it. */
@@ -88,9 +89,13 @@ export function Closed({ shown, faces }: { readonly shown: FrameShown; readonly 
               <td>{displacement(first.max_closed_mm, unit)}</td>
             </tr>
             <tr>
-              <td>At vertex</td>
-              <td>{first.made_at_vertex}</td>
-              <td>{first.at_vertex}</td>
+              <td>There</td>
+              <td>
+                <Place vertex={first.made_at_vertex} />
+              </td>
+              <td>
+                <Place vertex={first.at_vertex} />
+              </td>
             </tr>
           </tbody>
         </table>

@@ -5,12 +5,12 @@ import { Field } from "../../shared/controls/Field";
 import { Segmented, Select } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
 import { count } from "../../shared/figures/format";
-import { select, useSelection } from "../../state/design/selection";
+import { useSelection } from "../../state/design/selection";
 import { baseName } from "../../state/files/files";
 import { chooseFrame, useFrame } from "../../state/frame/frame";
 import { chooseLoadCase, DOWN, dropLoads, loadCase, pickLoads, putForce } from "../../state/frame/loads";
-import { frame } from "../../state/window/view";
 import { Fold } from "../machine/Fold";
+import { Place } from "./Place";
 import { caseSays, forceParts } from "./words";
 
 const AXES = ["X", "Y", "Z"] as const;
@@ -115,10 +115,6 @@ function Forces() {
       : force.every((part) => part === 0)
         ? "A force of 0 does nothing."
         : null;
-  const go = (vertex: number) => {
-    select([vertex]);
-    frame([vertex], []);
-  };
   return (
     <>
       <Field label="Force" stacked>
@@ -152,9 +148,7 @@ function Forces() {
         <ul className="frame-forces" aria-label="Forces">
           {[...forces].map(([vertex, parts]) => (
             <li key={vertex}>
-              <button type="button" className="button link" onClick={() => go(vertex)}>
-                vertex {vertex}
-              </button>
+              <Place vertex={vertex} />
               <span className="grow ellipsis">{forceParts(parts)}</span>
               <Button
                 kind="quiet"

@@ -5,6 +5,7 @@ import { Line } from "../../shared/lists/Line";
 import { select } from "../../state/design/selection";
 import { frame } from "../../state/window/view";
 import { placesOf } from "../viewport/marks";
+import { Place } from "./Place";
 import { displacement, force, frequency, mass, stress, utilisation } from "./words";
 
 /** A finding, and where it is. */
@@ -28,20 +29,6 @@ export function Finding({ report }: { readonly report: DiagnosticReport }) {
       }
       sub={sentence(report.help)}
     />
-  );
-}
-
-/** A place in the design, to be looked at. */
-function Place({ vertex, edge }: { readonly vertex?: number; readonly edge?: number }) {
-  const [vertices, edges] = [vertex === undefined ? [] : [vertex], edge === undefined ? [] : [edge]];
-  const go = () => {
-    select(vertices, edges);
-    frame(vertices, edges);
-  };
-  return (
-    <button type="button" className="button link" onClick={go}>
-      {vertex === undefined ? `edge ${edge}` : `vertex ${vertex}`}
-    </button>
   );
 }
 

@@ -20,6 +20,10 @@ export const STRATEGIES: Readonly<
   "paper-cost": "layer by layer, by the cost of FrameFab",
 };
 
+/** What a step places. */
+export const placedName = ({ edge, edges }: DrawnSequence["sequence"]["steps"][number]): string =>
+  edges && edges.length > 1 ? `edge ${edge} and ${edges.length - 1} more` : `edge ${edge}`;
+
 /** What the header of the section says. */
 export function phraseOf({ sequence }: DrawnSequence): string {
   if (sequence.steps.length === 0) return sequence.proved ? "cannot be built" : "not found";

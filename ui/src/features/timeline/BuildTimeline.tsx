@@ -9,7 +9,7 @@ import {
   useSequence,
 } from "../../state/sequence/sequence";
 import { displacement } from "../frame/words";
-import { KINDS } from "../sequence/words";
+import { KINDS, placedName } from "../sequence/words";
 import { movesOf, Track } from "./Track";
 
 /** The steps of building under the view, while they are shown there instead of a program. */
@@ -20,7 +20,9 @@ export function BuildTimeline() {
   const steps = sequence?.steps ?? [];
   const now = stepAt(at, steps.length);
   const step = steps[now];
-  const text = step ? `step ${now + 1} / ${steps.length} · edge ${step.edge} ${KINDS[step.type]}` : "nothing is built";
+  const text = step
+    ? `step ${now + 1} / ${steps.length} · ${placedName(step)} ${KINDS[step.type]}`
+    : "nothing is built";
   const ticks = [...new Set(sequence?.diagnostics.flatMap(({ step }) => (step == null ? [] : [step])) ?? [])];
   const forward = () => slideTo(Math.floor(at) + 1);
   const back = () => slideTo(Math.ceil(at) - 1);
@@ -54,7 +56,7 @@ export function BuildTimeline() {
         onChange={slideTo}
         moves={moves}
       />
-      <span className="timeline-step">{step ? `step ${now + 1} / ${steps.length} · edge ${step.edge}` : text}</span>
+      <span className="timeline-step">{step ? `step ${now + 1} / ${steps.length} · ${placedName(step)}` : text}</span>
       <span className="timeline-time muted" />
       <span className="timeline-end muted">
         {step?.max_displacement_mm != null && `sags ${displacement(step.max_displacement_mm, unit)}`}
