@@ -1,8 +1,8 @@
 /** Short texts at places of the design, as elements over the picture. Those that would lie on another are left out until there is room. */
 
-import { css, type Theme } from "../drawing/theme";
-import type { SceneLabel, Vec3, Verdict } from "../interface";
-import type { Projection } from "../view/projection";
+import { css, type Theme } from "../../drawing/theme";
+import type { SceneLabel, Vec3, Verdict } from "../../interface";
+import type { Projection } from "../../view/projection";
 
 interface Placed {
   readonly label: SceneLabel;

@@ -1,10 +1,10 @@
 /** What is written over the picture: what the checks say of places, dimensions, and what belongs to the edge that is being drawn. */
 
-import type { Theme } from "../drawing/theme";
-import type { LengthFormat, SceneLabel } from "../interface";
-import type { Projection } from "../view/projection";
+import type { Theme } from "../../drawing/theme";
+import type { LengthFormat, SceneLabel } from "../../interface";
+import type { Projection } from "../../view/projection";
+import type { DrawnDesign } from "../drawn_design";
 import { dimensionLabels, NO_DIMENSIONS } from "./dimensions";
-import type { DrawnDesign } from "./drawn_design";
 import { Labels } from "./labels";
 
 export class Texts {

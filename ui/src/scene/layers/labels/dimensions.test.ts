@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { designOf, drawn, INCH, MM } from "../testing";
+import { designOf, drawn, INCH, MM } from "../../testing";
 import { dimensionLabels, NO_DIMENSIONS } from "./dimensions";
 
 /** A right angle of 30 and 40 mm, then straight on, then back on itself. */

@@ -1,8 +1,8 @@
 /** The lengths of edges and the angles between them, as they are written beside the design. Pure. */
 
-import type { LengthFormat, SceneDimensions, SceneLabel, Vec3 } from "../interface";
-import { add, direction, distance, length, scale, subtract } from "../vec";
-import type { DrawnDesign } from "./drawn_design";
+import type { LengthFormat, SceneDimensions, SceneLabel, Vec3 } from "../../interface";
+import { add, direction, distance, length, scale, subtract } from "../../vec";
+import type { DrawnDesign } from "../drawn_design";
 
 export const NO_DIMENSIONS: SceneDimensions = { all: false, edges: [], corners: [], between: null, stays: null };
 
