@@ -134,7 +134,13 @@ impl Editor {
     /// What [`Editor::fixes`] needs of the design, so that the design is free while it searches.
     pub fn fix_search(&mut self, app: &Installation) -> Result<FixSearch, EditorError> {
         let (names, setup) = self.take_setup(app)?;
-        let found = FixSearch { document: self.planned_part(), setup: setup.clone() };
+        // What the wire was drawn along goes with it where the whole is scaled.
+        let document = Document {
+            stencils: self.document.stencils.clone(),
+            construction: self.document.construction.clone(),
+            ..self.planned_part()
+        };
+        let found = FixSearch { document, setup: setup.clone() };
         self.setup = Some((names, setup));
         Ok(found)
     }

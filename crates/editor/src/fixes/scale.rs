@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 use wirebend_core::checks::{Code, Diagnostic, Quantity};
 use wirebend_core::wireframe::Wireframe;
+use wirebend_files::document::{PlacedStencil, PlacementFile};
 
 use super::super::EditRequest;
 use super::trials::Trials;
@@ -81,7 +82,7 @@ fn rounded(factor: f64, to: fn(f64) -> f64) -> f64 {
     if (factor / unit - nearest).abs() < 1e-9 { nearest * unit } else { to(factor / unit) * unit }
 }
 
-/// The design scaled about the middle of its bounding box; none where a vertex would go too far.
+/// The design scaled about the middle of its bounding box, with its stencils and construction lines; none where a vertex would go too far.
 fn scaled(trials: &Trials, factor: f64) -> Option<Candidate> {
     let wireframe = &trials.document().wireframe;
     let mut points = wireframe.vertices().map(|(_, vertex)| vertex.position.coords);
@@ -97,14 +98,25 @@ fn scaled(trials: &Trials, factor: f64) -> Option<Candidate> {
         row[k] = factor;
         row
     };
-    Some(Candidate {
-        title: format!("Scale the design by {}", three_digits(factor)),
-        edit: EditRequest::Transform {
-            vertices: wireframe.vertices().map(|(id, _)| id.0).collect(),
-            lines: Vec::new(),
-            matrix: [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]],
-        },
-    })
+    let document = trials.document();
+    let wire = EditRequest::Transform {
+        vertices: wireframe.vertices().map(|(id, _)| id.0).collect(),
+        lines: (0..).zip(&document.construction).map(|(place, _)| place).collect(),
+        matrix: [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]],
+    };
+    let stencils = document.stencils.iter().map(|PlacedStencil { id, placement, .. }| {
+        let PlacementFile { shift_mm, turn_deg, scale } = PlacementFile::from(placement);
+        let shift = Vector3::from(shift_mm) * factor + move_by;
+        let placement = PlacementFile { shift_mm: shift.into(), turn_deg, scale: scale * factor };
+        EditRequest::PlaceStencil { stencil: id.0, placement }
+    });
+    let mut edits: Vec<EditRequest> = std::iter::once(wire).chain(stencils).collect();
+    let edit = if edits.len() > 1 {
+        EditRequest::Several { label: "scale the design".to_owned(), edits }
+    } else {
+        edits.pop()?
+    };
+    Some(Candidate { title: format!("Scale the design by {}", three_digits(factor)), edit })
 }
 
 fn three_digits(factor: f64) -> String {

@@ -186,3 +186,31 @@ fn stencils_come_back_from_the_journal() {
     let again = Editor::restore(&unsaved[0].journal).unwrap();
     assert_eq!(again.state().stencils, state.stencils);
 }
+
+/// A wire that was traced would lie beside what it was traced on.
+#[test]
+fn the_fix_that_scales_the_design_scales_its_stencils() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("models")).unwrap();
+    let bunny = fs::read(example("bunny.obj")).unwrap();
+    fs::write(folder.path().join("models/bunny.obj"), &bunny).unwrap();
+    let (mut editor, _) = opened(folder.path(), &sha256_hex(&bunny));
+    let machine = json!({"edit": "machine", "machine": "wirebend-kit", "material": null});
+    edit(&mut editor, &machine);
+    edit(&mut editor, &json!({"edit": "draw", "through_mm": [[0, 0, 0], [15, 0, 0], [15, 15, 0]]}));
+    let app = app();
+    let fixes = editor.fixes(&app).unwrap();
+    let scale = fixes.iter().find(|fix| fix.title == "Scale the design by 1.87").unwrap();
+    let undone = editor.view();
+    editor.edit(&app, &scale.edit).unwrap();
+    let placement: PlacementFile = editor.state().stencils[0].placement;
+    assert!((placement.scale - 1.87).abs() < 1e-12);
+    // About the middle of the wire, from 0 to 15 mm along x and y.
+    for (axis, middle) in [7.5, 7.5, 0.0].into_iter().enumerate() {
+        assert!((placement.shift_mm[axis] - middle * (1.0 - 1.87)).abs() < 1e-9, "{placement:?}");
+    }
+    assert!(editor.check(&app, &[]).unwrap().feasible);
+    editor.undo().unwrap();
+    assert_eq!(editor.view().vertices, undone.vertices);
+    assert!((editor.state().stencils[0].placement.scale - 1.0).abs() < 1e-12, "one thing to undo");
+}

@@ -38,8 +38,13 @@ fn what_the_design_holds_fixed_is_not_moved() {
 #[test]
 fn where_several_edges_are_too_short_the_whole_design_is_scaled() {
     let mut editor = on_kit(&[[0., 0., 0.], [15., 0., 0.], [15., 15., 0.]]);
+    let line = json!({"make": "draw", "through_mm": [[7.5, 7.5, 0], [17.5, 7.5, 0]]});
+    edit(&mut editor, &json!({"edit": "construction", "change": line}));
     let check = mend(&mut editor, &app(), "Scale the design by 1.87");
     assert!(check.feasible, "{check:?}");
+    // What the wire was drawn along goes with it.
+    let [from, to] = editor.view().state.construction_mm[0];
+    assert!((from[0] - 7.5).abs() < 1e-9 && (to[0] - from[0] - 18.7).abs() < 1e-9, "{from:?} {to:?}");
     // About its middle.
     let middle =
         editor.view().vertices.iter().fold([0.0; 2], |sum, v| [sum[0] + v.at_mm[0], sum[1] + v.at_mm[1]]);
