@@ -88,6 +88,11 @@ impl Pieces {
         (of > 1).then(|| Piece { number: (self.made + 1).min(of), of })
     }
 
+    /// Whether a wire was bent before this one in the same row.
+    pub const fn follows(&self) -> bool {
+        self.follows
+    }
+
     /// Wire that is left, mm.
     pub const fn left_mm(&self) -> Option<f64> {
         self.left_mm

@@ -103,7 +103,7 @@ pub fn connect<'a>(
         })
         .unwrap_or_default();
     let unnamed = at.port.is_none();
-    let wire_used = false;
+    let (wire_used, wire_bent) = (false, false);
     let mut connection = Connection {
         session,
         observer,
@@ -114,6 +114,7 @@ pub fn connect<'a>(
         driver_version,
         driver_limits,
         wire_used,
+        wire_bent,
     };
     if let Err(error) = await_answer(&mut connection) {
         // Whatever was under way there when it was connected.

@@ -27,6 +27,8 @@ pub struct Connection<'a> {
     pub driver_limits: Limits,
     /// Wire was fed or bent by hand through this connection since a person has last said that the wire is in.
     pub wire_used: bool,
+    /// A wire was bent through this connection, whole or in part, since then. Where it was cut off it is not in the way.
+    pub wire_bent: bool,
 }
 
 impl<'a> Connection<'a> {

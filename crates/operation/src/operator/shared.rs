@@ -176,6 +176,11 @@ impl Shared {
         self.listener.hear(event);
     }
 
+    /// The wire that is told is the next one, which has not begun yet.
+    pub fn wait_for_wire(&self) {
+        self.lock().wire_waits = true;
+    }
+
     /// Changes the state; it is reported if it is another one then.
     pub fn change(&self, change: impl FnOnce(&mut MachineState)) {
         let changed = {

@@ -69,6 +69,8 @@ pub(super) struct SharedState {
     pub recorded: Vec<Move>,
     /// When it was reported last how far the wire is, while an order is carried out.
     pub wire_told: Option<Instant>,
+    /// The wire is one that has not begun yet: what the session says is of the one before.
+    pub wire_waits: bool,
     pub by_hand: WireByHand,
 }
 
@@ -83,6 +85,7 @@ impl SharedState {
             lines: Vec::new(),
             recorded: Vec::new(),
             wire_told: None,
+            wire_waits: false,
             by_hand: WireByHand::default(),
         }
     }
@@ -116,6 +119,10 @@ impl SharedState {
 
     /// How far the wire is that an order is carried out for, as the session says; the news of it, where they are due.
     pub fn take_progress(&mut self, snapshot: &Snapshot, now: Instant) -> Option<MachineEvent> {
+        self.wire_waits &= !snapshot.phase.is_in_a_wire();
+        if self.wire_waits {
+            return None;
+        }
         let (wire, progress) = self.state.wire.as_mut().zip(snapshot.wire)?;
         let before = wire.clone();
         wire.take(progress);

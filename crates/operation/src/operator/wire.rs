@@ -43,7 +43,7 @@ impl<'a> OperatorThread<'a> {
         let question = "Is the wire in, and may the machine move once it is started?";
         let permit = self.ask(QuestionKind::Arm, task.permit_kind(), lines, question)?;
         let connection = self.connected(OrderName::Arm)?;
-        connection.wire_used = false;
+        (connection.wire_used, connection.wire_bent) = (false, false);
         task.wire_confirmed(wire)?;
         let done_by = connection.session.done_by();
         // A user who has asked for a wire has their hands at the machine.
@@ -59,6 +59,7 @@ impl<'a> OperatorThread<'a> {
         let wanted = task.wanted();
         let mut sequence = task.sequence(&wanted).peekable();
         while let Some((wire, rest)) = sequence.next() {
+            self.shared.wait_for_wire();
             let homes = self.homes_first();
             // Another program may have begun it meanwhile.
             task.require_clear(wire)?;
@@ -81,6 +82,9 @@ impl<'a> OperatorThread<'a> {
             self.at_reference = false;
             let (connection, made) = task.make(connection, wire, homes, of_wire, &mut response);
             self.connection = connection;
+            if let Some(connection) = &mut self.connection {
+                connection.wire_bent = true;
+            }
             let whole = response.wires.last().is_some_and(|made| made.outcome.is_whole());
             if whole {
                 task.wire_made(wire, rest.is_empty())?;
@@ -108,6 +112,7 @@ impl<'a> OperatorThread<'a> {
 
     /// Asks for the next of several wires. Nothing moves before a person has cut off the one before.
     fn ask_for_next(&mut self, task: &Task, wire: usize, done_by: DoneBy) -> Result<Permit, OperationError> {
+        self.shared.wait_for_wire();
         let next = WireState::of(task, wire, task.request.job.stem(), 0, done_by);
         self.shared.change(|state| state.wire = Some(next));
         let homes = self.homes_first();
@@ -170,7 +175,7 @@ impl<'a> OperatorThread<'a> {
         let (connection, made) = task.resume_through(connection, interrupted, homes, decided, &mut response);
         self.connection = connection;
         if let (Ok(()), Some(connection)) = (&made, &mut self.connection) {
-            connection.wire_used = false;
+            (connection.wire_used, connection.wire_bent) = (false, true);
         }
         if self.is_in_a_wire() {
             // Without a yes the machine is left where it is: it holds, and the user is asked again when it is to resume.

@@ -42,6 +42,11 @@ pub fn about(
     // How long the rest of a wire that was begun takes is not estimated.
     let time = if anew { format!("; {} on the machine", minutes(seconds)) } else { String::new() };
     lines.push(format!("{which}: {steps}, {bends}, {:.1} fed{time}", Mm(fed)));
+    if anew && connection.wire_bent && !task.pieces.get().follows() {
+        lines.push(
+            "a wire was bent before: cut it off and take it out, if it is still in the machine".to_owned(),
+        );
+    }
     lines.extend(begins.into_iter().flatten());
     lines.extend(pauses::lines(if anew { task.pauses(wire) } else { &[] }));
     if connection.wire_used {

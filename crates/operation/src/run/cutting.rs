@@ -109,7 +109,7 @@ fn cut(connection: &mut Connection, row: &Permit, watch: &mut Watch) -> Result<(
         watch.look();
     }
     watch.look();
-    connection.wire_used = false;
+    (connection.wire_used, connection.wire_bent) = (false, false);
     connection.observer.publish(&connection.session);
     Ok(())
 }

@@ -31,7 +31,8 @@ fn each_wire_of_each_piece_is_bent_and_asked_about() {
             assert_eq!(asked.kind, QuestionKind::Piece);
             let which = format!("wire {} of 2", wire + 1);
             assert!(asked.lines.iter().any(|line| line.starts_with(&which)), "{:?}", asked.lines);
-            assert_eq!(seat.operator.state().wire.map(|wire| wire.wire), Some(wire));
+            let next = seat.operator.state().wire.unwrap();
+            assert_eq!((next.wire, next.made), (wire, 0), "nothing of it is bent yet");
             seat.operator.answer(asked.id, Answer::Yes).unwrap();
         }
         let run = seat.until_run();
@@ -40,6 +41,29 @@ fn each_wire_of_each_piece_is_bent_and_asked_about() {
     }
     let state = seat.until_phase(Phase::Ready);
     assert!(state.can.contains(&OrderName::Arm) && state.unfinished.is_none());
+}
+
+/// A finished wire that is forgotten in the machine is bent into the next one.
+#[test]
+fn what_was_bent_before_is_asked_about_until_a_person_has_seen_to_it() {
+    let shop = Shop::new();
+    let (seat, job) = (shop.simulated("sim:max"), shop.job("u-sample.obj", "wirebend-kit"));
+    seat.home();
+    let told = |answer| {
+        seat.arm(&job);
+        let asked = seat.says(answer);
+        seat.until_state(|state| state.question.is_none() && !state.busy);
+        asked.lines.iter().any(|line| line.contains("cut it off and take it out"))
+    };
+    assert!(!told(Answer::Yes), "nothing was bent");
+    seat.operator.order(Order::Start).unwrap();
+    seat.until_run();
+    seat.until_phase(Phase::Ready);
+    assert!(told(Answer::No));
+    assert!(told(Answer::Yes), "after a no it is still there");
+    seat.operator.order(Order::Disarm).unwrap();
+    seat.until_phase(Phase::Ready);
+    assert!(!told(Answer::No));
 }
 
 /// Were the second one begun over the first, that could not be resumed any more.
