@@ -14,7 +14,7 @@ const SNIFFED: usize = 1 << 20;
 /// The format of a file: from its extension where only one format has it, else from its content.
 ///
 /// # Errors
-/// [`ReadError::EmptyFile`], [`ReadError::GCode`], and [`ReadError::UnknownFormat`], which lists the formats.
+/// [`ReadError::EmptyFile`], [`ReadError::GCode`], [`ReadError::Order`], and [`ReadError::UnknownFormat`], which lists the formats.
 pub fn detect(name: &str, bytes: &[u8]) -> Result<Format, ReadError> {
     let extension = name.rsplit_once('.').map(|(_, extension)| extension.to_ascii_lowercase());
     let by_name: Vec<Format> = Format::ALL
@@ -27,6 +27,7 @@ pub fn detect(name: &str, bytes: &[u8]) -> Result<Format, ReadError> {
         ([Format::Assembly, ..], Some(found @ (Format::Wirebend | Format::Conmech | Format::Moves))) => {
             Ok(found)
         }
+        ([Format::Assembly, ..], _) if is_order(bytes) => Err(ReadError::Order { file: name.to_owned() }),
         ([Format::Assembly, ..], _) => Ok(Format::Assembly),
         (&[only], _) => Ok(only),
         (_, Some(format)) => Ok(format),
@@ -43,6 +44,11 @@ pub fn detect(name: &str, bytes: &[u8]) -> Result<Format, ReadError> {
 /// Whether nothing is in a file but space.
 pub(super) fn is_blank(bytes: &[u8]) -> bool {
     utf8(bytes).trim_ascii().is_empty()
+}
+
+/// Whether a file is an order of struts, as FrameFab writes it.
+fn is_order(bytes: &[u8]) -> bool {
+    decode(&bytes[..bytes.len().min(SNIFFED)]).contains("\"sequenced_elements\"")
 }
 
 /// Whether a file is G-code, whatever its name.

@@ -63,6 +63,9 @@ pub enum ReadError {
     /// A program for the axes of one machine, from which no wire can be read back.
     #[error("{file}: G-code can't be opened; these formats can: {known}", known = super::format::known())]
     GCode { file: String },
+    /// An order in which the struts of a frame are built, and no frame.
+    #[error("{file} is an order in which struts are built, and no frame: open the frame that it is of")]
+    Order { file: String },
     /// Something else than what the format has there.
     #[error("{file}{place}: found {found}, expected {expected}")]
     Syntax {
@@ -196,7 +199,9 @@ impl ReadError {
         match self {
             Self::Io { .. } => ErrorCode::ReadIo,
             Self::TooLarge { .. } => ErrorCode::ReadTooLarge,
-            Self::UnknownFormat { .. } | Self::GCode { .. } => ErrorCode::ReadUnknownFormat,
+            Self::UnknownFormat { .. } | Self::GCode { .. } | Self::Order { .. } => {
+                ErrorCode::ReadUnknownFormat
+            }
             Self::Syntax { .. } => ErrorCode::ReadSyntax,
             Self::Number { .. } => ErrorCode::ReadNumber,
             Self::Index { .. } => ErrorCode::ReadIndex,
@@ -230,7 +235,7 @@ impl ReadError {
             Self::Number { .. } | Self::Index { .. } => ErrorRemedy::CorrectFile,
             Self::Truncated { .. } | Self::Library { .. } => ErrorRemedy::ExportAgain,
             Self::Empty { .. } | Self::EmptyFile { .. } => ErrorRemedy::CheckRightFile,
-            Self::GCode { .. } => ErrorRemedy::OpenModel,
+            Self::GCode { .. } | Self::Order { .. } => ErrorRemedy::OpenModel,
             Self::Wireframe { .. } => ErrorRemedy::CheckScale,
             Self::Stencil { .. } => ErrorRemedy::RepairMesh,
             Self::NoCorner { .. } => ErrorRemedy::SplitBend,

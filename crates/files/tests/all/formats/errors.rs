@@ -355,6 +355,15 @@ fn g_code_is_refused_by_its_name() {
     assert!(error.to_string().contains("G-code can't be opened"), "{error}");
 }
 
+/// Who has the result of FrameFab looks for the frame in it.
+#[test]
+fn an_order_of_struts_is_refused_as_what_it_is() {
+    let order = include_str!("../../data/framefab/bunny_result.json");
+    let error = import("bunny_result.json", order).unwrap_err();
+    assert!(error.to_string().contains("an order in which struts are built"), "{error}");
+    assert_eq!(error.remedies(), [ErrorRemedy::OpenModel]);
+}
+
 #[test]
 fn an_explicit_format_wins_and_options_are_checked() {
     let options = ReadOptions { weld: mm(1e-3), ..ReadOptions::default() };
