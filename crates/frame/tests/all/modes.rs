@@ -47,7 +47,7 @@ fn a_cantilever_of_four_pieces_is_three_in_a_hundred_thousand_above_theory() {
     let theory = beam_theory(1.875_104_068_711_961, 130.0);
     for frequency in found {
         let above = frequency / theory - 1.0;
-        assert!((1e-6..1e-4).contains(&above), "{above}");
+        assert_close(above, 3.3e-5, 0.05);
     }
 }
 
@@ -97,7 +97,7 @@ fn free_trusses() {
     }
 }
 
-/// The same with 5 rings: 18,972 equations, the lowest modes those of the whole truss.
+/// The same with 5 rings: 17,172 equations, the lowest modes those of the whole truss.
 #[test]
 fn a_free_truss_of_five_rings() {
     let found = modes(&truss(5), 4, 3);

@@ -96,8 +96,9 @@ fn the_published_sequence_hangs_together_and_stands_at_every_step() {
     // Of the head it may say something: here it stays a strut's radius from the others, and FrameFab's touches them.
     let others = checked.violations.iter().filter(|found| !matches!(found, Violation::HeadMeets { .. }));
     assert_eq!(others.collect::<Vec<_>>(), [&Violation::Empty { step: 0 }; 0]);
-    let worst = checked.sags_mm.iter().map(|sag| sag.unwrap()).fold(0.0, f64::max);
-    assert!(worst <= 0.65 && checked.sags_mm.len() == 179, "{worst}");
+    let sags: Vec<f64> = checked.sags_mm.iter().map(|sag| sag.unwrap()).collect();
+    let (worst, whole) = (sags.iter().copied().fold(0.0, f64::max), sags.last().copied().unwrap());
+    assert!(worst <= whole * (1.0 + 1e-9) && sags.len() == 179, "{worst} before {whole}");
     let free: usize = checked.free.iter().flatten().sum();
     let given: usize = given.iter().flat_map(|step| &step.joints).map(|joint| joint.directions.len()).sum();
     assert!(free > given / 2 && free <= given, "{free} of {given} are free");
