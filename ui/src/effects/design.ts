@@ -47,7 +47,8 @@ function followRunFile(): End {
     ({ file }) => {
       forgetProgram();
       forgetEnded();
-      if (file) void goTo(0);
+      // What it leaves; it is played from its beginning.
+      if (file) void goTo(Number.POSITIVE_INFINITY);
       queueMicrotask(showWire);
     },
   );

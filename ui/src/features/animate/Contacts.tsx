@@ -6,7 +6,7 @@ import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { useCollisions } from "../../state/design/collisions";
 import { useDesign } from "../../state/design/design";
-import { applyFix, avoidCollisions, otherWires, useFixes } from "../../state/design/fixes/fixes";
+import { applyFix, avoidCollisions, cancelAvoiding, otherWires, useFixes } from "../../state/design/fixes/fixes";
 import { type PlayedContact, setStops, useContacts, useStops } from "../../state/program/contacts";
 import { jump } from "../../state/program/player";
 import { usePlayback } from "../../state/program/program";
@@ -81,13 +81,22 @@ function Avoid() {
     );
   return (
     <div className="row wrap">
-      <Button small why={mine ? "The search takes some seconds." : null} onClick={() => void avoidCollisions()}>
+      <Button
+        small
+        why={mine ? "The search takes some seconds; with hundreds of steps, minutes." : null}
+        onClick={() => void avoidCollisions()}
+      >
         {mine ? (
           <Either shown="Searching…" other="Avoid collisions" />
         ) : (
           <Either shown="Avoid collisions" other="Searching…" />
         )}
       </Button>
+      {mine && (
+        <Button small kind="quiet" onClick={() => void cancelAvoiding()}>
+          Cancel
+        </Button>
+      )}
     </div>
   );
 }

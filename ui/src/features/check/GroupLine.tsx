@@ -78,6 +78,9 @@ function Member({ report }: { readonly report: DiagnosticReport }) {
   );
 }
 
+/** Where no change is known that fixes it alone. */
+const ADVICE = "What to do";
+
 /** Diagnostics of a kind: what, value and limit, one action. */
 export function GroupLine({ group }: { readonly group: Group }) {
   const { reports, severity } = group;
@@ -93,7 +96,10 @@ export function GroupLine({ group }: { readonly group: Group }) {
   const way = fixable ? null : wayOut(first?.code ?? "", stencil);
   const places = placesOfAll(reports);
   const somewhere = places.vertices.length + places.edges.length > 0;
-  const action = fixable ? "Fix…" : way ? way.label : single ? (somewhere ? "Show" : null) : "List";
+  // The grey line has no room for it beside its figures.
+  const help = single && first.unit ? first.help : "";
+  const shown = help ? ADVICE : somewhere ? "Show" : null;
+  const action = fixable ? "Fix…" : way ? way.label : single ? shown : "List";
   const folds = action !== "Show" && !way;
   return (
     <li className="line" {...pointing.line}>
@@ -135,7 +141,7 @@ export function GroupLine({ group }: { readonly group: Group }) {
               {reports.length > MAX && <li className="muted">and {reports.length - MAX} more</li>}
             </ul>
           )}
-          {single && first.unit && first.help && <p className="muted small">{sentence(first.help)}.</p>}
+          {help && <p className="muted small">{sentence(help)}.</p>}
         </div>
       )}
     </li>

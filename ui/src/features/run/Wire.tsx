@@ -3,7 +3,7 @@ import { Bar, Checkbox, Select } from "../../shared/controls/inputs";
 import { useLengths } from "../../shared/figures/unit";
 import type { MachineState } from "../../state/machine/operator";
 import { setCut, setPieces, setStock, setWire, useRow } from "../../state/machine/row";
-import { isBending, order, useRun } from "../../state/machine/run";
+import { isBending, order, PAUSE_BUTTON, useRun } from "../../state/machine/run";
 import { useOtherWire } from "../../state/program/program";
 import { useRunFile } from "../../state/program/run_file";
 import { Anyway } from "../check/Anyway";
@@ -30,11 +30,13 @@ export function Wire({ state }: { readonly state: MachineState }) {
   const file = useRunFile((run) => run.file);
   const under = useRun(isBending);
   const busy = under ? "A wire is being bent." : null;
-  const what = wires.length > 1 ? "Wires" : "Wire";
+  const several = wires.length > 1;
   return (
     <Part
       // Both are in sight, the file here and the design behind it: this says which of them is bent.
-      title={file ? `${what} of ${file.name}` : `${what} of the design`}
+      title={
+        file ? `${several ? "Wires" : "Wire"} of ${file.name}` : several ? "Wires of the design" : "Wire of the design"
+      }
       aside={under ? undefined : <span className="muted small">{loadPhrase(arming, long)}</span>}
     >
       {wires.length > 1 && (
@@ -67,7 +69,13 @@ export function Wire({ state }: { readonly state: MachineState }) {
           </Anyway>
         ))}
       {/* What is set before a wire stays, and what comes with it is below: Pause stands where Start stood. */}
-      <Pieces pieces={pieces} stock={stockMm} why={busy} onPieces={setPieces} onStock={setStock} />
+      <Pieces
+        pieces={under && row ? row.of : pieces}
+        stock={stockMm}
+        why={busy}
+        onPieces={setPieces}
+        onStock={setStock}
+      />
       <Checkbox checked={cuts} onChange={setCut} why={busy ?? (state.cutter_mm === null ? NO_CUTTER : null)}>
         Cut each piece off
       </Checkbox>
@@ -88,6 +96,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
         )}
         {under ? (
           <Button
+            id={PAUSE_BUTTON}
             className="grow"
             icon={all.pause.order === "pause" ? "pause" : "play"}
             kind="primary"

@@ -78,8 +78,8 @@ export function endedPhrase(
   run: WireRun,
   unit: DisplayUnit,
 ): { readonly tone: Tone; readonly what: string; readonly sub: string | null } {
-  const { outcome, made, steps, elapsed_s, problem, deviations_mm, standstill, piece } = run;
-  const wire = piece ? `Piece ${piece.number} of ${piece.of}` : "The wire";
+  const { outcome, made, steps, elapsed_s, problem, deviations_mm, standstill, piece, wire: index } = run;
+  const wire = piece ? `Piece ${piece.number} of ${piece.of}` : index > 0 ? `Wire ${index + 1}` : "The wire";
   const sub = problem ? errorText(problem) : null;
   if (standstill && standstill !== "confirmed") {
     const what = `Not confirmed that the machine stands, after step ${made} of ${steps}`;

@@ -9,8 +9,9 @@ import { useWork } from "../../state/asking/work";
 import { useKnown } from "../../state/design/collisions";
 import { useDesign } from "../../state/design/design";
 import { lengthOf } from "../../state/design/geometry";
+import { useRunFile } from "../../state/program/run_file";
 import { useUi } from "../../state/window/ui";
-import { checksPhrase, figures, savedPhrase, workPhrase } from "./figures";
+import { checksOfFile, checksPhrase, figures, figuresOfFile, savedPhrase, workPhrase } from "./figures";
 import "./statusbar.css";
 
 /** Figures of the design, and how things stand. */
@@ -19,14 +20,16 @@ export function StatusBar() {
   const unit = useUnit();
   const messages = useProblems((problems) => problems.problems.length);
   const showSection = useUi((ui) => ui.showSection);
-  const checks = checksPhrase(check, useKnown());
+  const file = useRunFile((run) => run.file);
+  const known = useKnown();
+  const checks = file ? checksOfFile(file) : checksPhrase(check, known);
   const saved = savedPhrase(state);
   const drawn = useMemo(() => lengthOf(edges.keys(), { vertices, edges }), [vertices, edges]);
   return (
     // biome-ignore lint/a11y/useAriaPropsSupportedByRole: it belongs to the body, and is a landmark with a name
     <footer className="status-bar" aria-label="Status">
       <dl className="status-figures">
-        {figures(check, drawn, unit).map(({ name, value, title }) => (
+        {(file ? figuresOfFile(file, unit) : figures(check, drawn, unit)).map(({ name, value, title }) => (
           <div key={name} title={title}>
             <dt>{name}</dt>
             <dd>{value}</dd>
@@ -46,7 +49,7 @@ export function StatusBar() {
           type="button"
           className={`status-part status-checks ${checks.tone}`}
           title={checks.tone === "fine" ? "Within the machine's limits. Show the checks" : "Show the checks"}
-          onClick={() => showSection("check")}
+          onClick={() => showSection(file ? "run" : "check")}
         >
           <Mark tone={checks.tone} />
           <span>{checks.text}</span>

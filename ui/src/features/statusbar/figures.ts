@@ -1,6 +1,6 @@
 /** The figures of all wires together, as the status bar shows them. */
 
-import type { LiveCheck, WireFigures } from "../../generated/responses";
+import type { LiveCheck, RunFileReport, RunFileWire, WireFigures } from "../../generated/responses";
 import { errorText } from "../../platform/error_text";
 import { count, type DisplayUnit, length, longLength, money, number, time } from "../../shared/figures/format";
 import type { Known } from "../../state/design/collisions";
@@ -77,6 +77,48 @@ export function figures(check: LiveCheck | null, drawn: number, unit: DisplayUni
   ];
 }
 
+/** The same of a file that is run instead of the design, as far as it is known of it. */
+export function figuresOfFile(
+  { wires, kind }: Pick<RunFileReport, "wires" | "kind">,
+  unit: DisplayUnit,
+): readonly Figure[] {
+  const all = (of: (wire: RunFileWire) => number) => wires.reduce((sum, wire) => sum + of(wire), 0);
+  const length_mm = all((wire) => wire.length_mm);
+  const figure = (name: string, value: string, title: string): Figure => ({ name, value, title });
+  return [
+    figure("Wire", length(length_mm, unit), "Wire that the file feeds"),
+    // How much is loaded for recorded moves is not said in them.
+    ...(kind === "moves"
+      ? []
+      : [
+          figure(
+            "Stock",
+            longLength(
+              all(({ stock_mm }) => stock_mm),
+              unit,
+            ),
+            "Wire to load: all feeds and the unusable tail",
+          ),
+          figure("Time", time(all(({ time_s }) => time_s)), "Estimated time on the machine"),
+        ]),
+  ];
+}
+
+/** What the checks say of that file. */
+export function checksOfFile({
+  findings,
+  notes,
+  feasible,
+  kind,
+}: Pick<RunFileReport, "findings" | "notes" | "feasible" | "kind">): ReturnType<typeof checksPhrase> {
+  if (kind === "moves") return null;
+  const of = (wanted: string) => findings.filter(({ severity }) => severity === wanted).length;
+  const [errors, warnings] = [of("error"), of("warning") + notes.length];
+  if (errors > 0) return { text: `${count(errors, "error")} in the file`, tone: "error" };
+  if (!feasible) return { text: "not feasible", tone: "error" };
+  return warnings > 0 ? { text: count(warnings, "warning"), tone: "warning" } : { text: FINE.checked, tone: "fine" };
+}
+
 /** Whether everything is kept in a file; a warning where even what is not saved cannot be kept safe. */
 export function savedPhrase(state: DesignState | null): { readonly text: string; readonly warning: string | null } {
   if (!state) return { text: "", warning: null };
@@ -111,7 +153,7 @@ const ASKS: Readonly<Record<string, string>> = {
   made: "Bending on the simulated machine",
   compare: "Comparing machines",
   exports: "Listing export formats",
-  export: "Writing the file",
+  export: "Preparing the file",
   "save-wireframe": "Writing the wireframe",
   "save-job": "Writing the job",
   open: "Opening",

@@ -173,7 +173,7 @@ export function hearOperator(event: OperatorEvent): void {
         collect({
           toMachine: null,
           at: Date.now(),
-          text: `Not sent: ${sent}. ${errorText({ message: event.message })}`,
+          text: `Not sent: ${sent}. ${errorText(event)}`,
         });
         useRun.setState({ refusedLine: sent });
         sent = null;
@@ -327,6 +327,16 @@ export async function saveRecording(path: string): Promise<string | null> {
   // The dialog has asked whether a file that is there may be replaced.
   const saved = await told(platform.ask("save-recording", { output: { path, force: true } }));
   return saved?.file ?? null;
+}
+
+/** The button that pauses and resumes. */
+export const PAUSE_BUTTON = "pause-machine";
+
+/** Pauses the wire that is bent, by a key from wherever it is pressed. It resumes by the button, which then has the focus. */
+export function pauseByKey(): void {
+  useUi.getState().showSection("run");
+  if (useRun.getState().state?.phase === "making") void order({ order: "pause" });
+  window.setTimeout(() => document.getElementById(PAUSE_BUTTON)?.focus(), 0);
 }
 
 /** Stops the machine. Waits for nothing else. */

@@ -18,7 +18,8 @@ import {
 } from "../files/files";
 import { setPicking, useFrame } from "../frame/frame";
 import { showFrame, useShape } from "../frame/shape";
-import { stop } from "../machine/run";
+import { isInWire } from "../machine/operator";
+import { pauseByKey, stop, useRun } from "../machine/run";
 import { shownDesign } from "../parts/parts";
 import { showDesignAgain, togglePlay, usePlayback } from "../program/program";
 import { useRunFile } from "../program/run_file";
@@ -66,6 +67,11 @@ const edges = (what: string) => () =>
 const anything = () => (useDesign.getState().vertices.size > 0 ? null : "The design is empty.");
 const lines = () => (linesOf(useDesign.getState().state).length > 0 ? null : "There are no construction lines.");
 const something = () => (shownLines().length > 0 ? null : anything());
+
+const bends = (): boolean => {
+  const { state } = useRun.getState();
+  return state !== null && isInWire(state.phase);
+};
 
 /** Whether there is something to play: a design with a machine, or a file that is run. */
 const playable = () => (useRunFile.getState().file ? null : (anything() ?? machine()));
@@ -255,8 +261,12 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
   "construction-shown": { run: () => setConstructionShown(!useView.getState().constructionShown), why: lines },
   units: { run: toggleUnits },
   play: {
-    run: () => (useSequence.getState().shown ? togglePlaySequence() : togglePlay()),
-    why: () => (useSequence.getState().shown ? null : playable()),
+    run: () => {
+      if (bends()) pauseByKey();
+      else if (useSequence.getState().shown) togglePlaySequence();
+      else togglePlay();
+    },
+    why: () => (useSequence.getState().shown || bends() ? null : playable()),
   },
   stop: { run: stop },
   end: { run: end },

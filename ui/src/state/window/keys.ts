@@ -136,7 +136,7 @@ export const KEYS: readonly KeyEntry[] = [
   { command: "frame", label: "Frame the selection", keys: ["F"], group: "View", onlyLooks: true },
   { command: "frame-all", label: "Frame all", keys: ["Home"], group: "View" },
   { command: "dimensions", label: "Dimensions of all edges and angles", keys: ["N"], group: "View", onlyLooks: true },
-  { command: "play", label: "Play or pause", keys: ["Space"], group: "Machine" },
+  { command: "play", label: "Play or pause; pause the wire that is bent", keys: ["Space"], group: "Machine" },
   { command: "stop", label: "STOP the machine", keys: ["Ctrl+Space"], group: "Machine", typing: "always" },
   { command: "keys", label: "Keys", keys: ["?"], group: "Help", onlyLooks: true },
 ];

@@ -158,14 +158,15 @@ export function gridFollows(unit: DisplayUnit, before: DisplayUnit): void {
 /** Chooses a tool; a strand that is open ends. */
 export function chooseTool(tool: Tool): void {
   useView.getState().handle?.cancel();
-  useView.setState({ tool, strand: null });
+  const draws = tool === "trace" || tool === "draw";
+  useView.setState(({ constructing }) => ({ tool, strand: null, constructing: constructing && draws }));
 }
 
 /** Draws construction lines, or edges again; with a tool that draws. */
 export function setConstructing(constructing: boolean): void {
   const { tool } = useView.getState();
-  useView.setState({ constructing });
   if (constructing && tool !== "trace" && tool !== "draw") chooseTool("draw");
+  useView.setState({ constructing });
 }
 
 /** Chooses a stencil to place; the wire is not selected meanwhile. */

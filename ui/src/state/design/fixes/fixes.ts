@@ -1,6 +1,7 @@
 import { create } from "zustand";
 import type { EditRequest } from "../../../generated/requests";
 import type { Collisions, DiagnosticReport, Fix, FixPreview, LiveCheck } from "../../../generated/responses";
+import { platform } from "../../../platform";
 import type { Preview, SceneDesign, Vec3 } from "../../../scene/interface";
 import { tell } from "../../asking/problems";
 import { asking } from "../../asking/work";
@@ -121,11 +122,17 @@ export async function avoidCollisions(): Promise<void> {
   if (!found || useFixes.getState().avoiding?.of === found) return;
   useFixes.setState({ avoiding: { of: found, failed: false } });
   await needFixesOfCollisions();
-  if (useDesign.getState().collisions?.found !== found) return;
+  if (useDesign.getState().collisions?.found !== found || useFixes.getState().avoiding?.of !== found) return;
   const fix = useFixes.getState().fixes.find((one) => ofCollisions(one) && takesWalks(one.edit));
   if (fix && makesMoreWires(fix)) useFixes.setState({ avoiding: { of: found, failed: false, offered: fix } });
   else if (fix) await applyFix(fix);
   else useFixes.setState({ avoiding: { of: found, failed: true } });
+}
+
+/** Ends that search; a person may begin it again. */
+export async function cancelAvoiding(): Promise<void> {
+  useFixes.setState({ avoiding: null, ofCollisions: null, asked: Promise.resolve() });
+  await platform.ask("stop-collisions", {}).catch(() => {});
 }
 
 /** How many wires there are by the checks; 0 where they do not know. */
