@@ -20,6 +20,7 @@ mod errors;
 mod frames;
 mod left_out;
 mod meshes;
+mod mistaken;
 mod models;
 mod models_beside;
 mod pictures;
