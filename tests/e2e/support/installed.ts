@@ -186,6 +186,8 @@ export class Driven {
   async click(xpath: string): Promise<void> {
     const first = `document.evaluate(${JSON.stringify(xpath)}, document, null, 9, null).singleNodeValue`;
     await this.until(first, `there is ${xpath}`);
+    // What cannot be done yet says so, and does nothing when it is clicked.
+    await this.until(`${first}?.getAttribute("aria-disabled") !== "true"`, `it can be clicked: ${xpath}`);
     // A part of the panel that is scrolled away cannot be clicked.
     await this.run(`const found = ${first}; if (found) window.wirebendPointer.bring(found)`);
     const found = await this.client.findElement("xpath", xpath);

@@ -136,6 +136,8 @@ it("never shows the plane that is drawn on from its edge", async () => {
     await editor.page.mouse.click(x + dx, y);
   }
   await until(async () => (await editor.design()).edges.length).toBe(1);
+  // Until the window has it, too.
+  await until(() => editor.page.locator(".status-figures dd").first().innerText()).not.toBe("–");
   await press("Control+1");
   expect([await view(), await plane()]).toEqual(["Left", "yz"]);
   // Nor does a turn by hand bring it there: what the pointer is on stays on the plane, and near.

@@ -43,7 +43,7 @@ it("opens a job, shows it, and runs it as it was planned", async () => {
   await editor.drop("house.wbjob", readFileSync(into("house.wbjob")));
   await toRun().getByText("job for WireBend-kit").waitFor();
   await toRun().getByText("Runs as it was planned").waitFor();
-  await steps().getByText("step 1 / 5").waitFor();
+  await steps().getByText("step 5 / 5").waitFor();
   await run().getByLabel("Port", { exact: true }).selectOption("sim:max");
   await button("Connect").click();
   await stands("connected");
@@ -59,7 +59,7 @@ it("runs the text of a program as it stands, and says so before anything moves",
   await toRun().getByText("program for WireBend-kit").waitFor();
   await toRun().getByText("Runs as it stands").waitFor();
   await toRun().getByText("Within the machine's limits").waitFor();
-  await steps().getByText("step 1 / 2").waitFor();
+  await steps().getByText("step 2 / 2").waitFor();
   await button("Arm…").click();
   await dialog().getByText("The program two.txt runs as it stands: nothing of it is compensated").waitFor();
   await dialog().getByRole("button", { name: "Do not arm", exact: true }).click();
@@ -77,7 +77,7 @@ it("says that a file was replaced on the disk, and runs it as it is now once it 
   await editor.messages.filter({ hasText: "two.txt has changed on the disk since it was opened" }).waitFor();
   await editor.isCleanNow("run-file-changed");
   await toRun().getByRole("button", { name: "Read again" }).click();
-  await steps().getByText("step 1 / 3").waitFor();
+  await steps().getByText("step 3 / 3").waitFor();
   await bend();
   expect((await state()).wire?.of).toBe(3);
 });
@@ -108,7 +108,7 @@ it("replays a recording, and makes a design of it", async () => {
   await dialog().getByText("Replay it").waitFor();
   await dialog().getByRole("button", { name: "Open", exact: true }).click();
   await toRun().getByText("recorded on WireBend-kit").waitFor();
-  await steps().getByText("step 1 / 2").waitFor();
+  await steps().getByText("step 2 / 2").waitFor();
   expect(await button("Arm…").getAttribute("title")).toMatch(/replayed, not armed/);
   await toRun().getByRole("button", { name: "Replay…" }).click();
   await dialog().getByRole("button", { name: "Move", exact: true }).click();
