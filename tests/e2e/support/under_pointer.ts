@@ -278,7 +278,9 @@ export function watchPointer(tell: string): void {
       const byPage = own !== null && !sighted && (own === box || box.contains(own));
       own = null;
       sighted = false;
-      const shorter = box.scrollHeight < (heights.get(box) ?? 0);
+      // That brings the beginning nearer, never the end.
+      const back = box.scrollTop < (scrolled.get(box) ?? 0);
+      const shorter = back && box.scrollHeight < (heights.get(box) ?? 0);
       if (!byPage && !shorter && kept.some(({ element }) => box.contains(element))) keep(action, opening);
     },
     capture,
