@@ -79,7 +79,7 @@ function Member({ report }: { readonly report: DiagnosticReport }) {
 }
 
 /** Where no change is known that fixes it alone. */
-const ADVICE = "What to do";
+const ADVICE = "Help…";
 
 /** Diagnostics of a kind: what, value and limit, one action. */
 export function GroupLine({ group }: { readonly group: Group }) {
