@@ -102,11 +102,6 @@ impl Pieces {
         PiecesReport { made: self.made, of: self.repeat.pieces, stock_left_mm: self.left_mm }
     }
 
-    /// Whether all are done.
-    pub const fn are_done(&self) -> bool {
-        self.made >= self.repeat.pieces
-    }
-
     /// A wire of so many mm came to its end.
     pub fn wire_made(&mut self, fed_mm: f64) {
         self.left_mm = self.left_mm.map(|left| (left - fed_mm).max(0.0));
@@ -261,7 +256,7 @@ mod tests {
         let wire = wire();
         let mut pieces = Pieces::new(Repeat { pieces: 5, stock_mm: Some(1000.0), cut: false }).unwrap();
         let mut asked = Vec::new();
-        while !pieces.are_done() {
+        for _ in 0..5 {
             asked.push((pieces.suffices(&wire).unwrap(), pieces.left_mm.unwrap()));
             pieces.confirmed(&wire);
             pieces.wire_made(200.0);

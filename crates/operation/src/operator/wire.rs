@@ -83,7 +83,7 @@ impl<'a> OperatorThread<'a> {
             let (connection, made) = task.make(connection, wire, homes, of_wire, &mut response);
             self.connection = connection;
             if let Some(connection) = &mut self.connection {
-                connection.wire_bent = true;
+                connection.wire_bent |= !response.wires.is_empty();
             }
             let whole = response.wires.last().is_some_and(|made| made.outcome.is_whole());
             if whole {

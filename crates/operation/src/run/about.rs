@@ -71,6 +71,14 @@ pub fn about(
         ));
     }
     lines.extend(collisions(task, wire)?);
+    if anew && task.pieces.get().cut_at_mm().is_some() {
+        // The others follow without a question.
+        for other in task.wanted().into_iter().filter(|&other| other != wire) {
+            let found = JobCollisions::of(task.wire(other)?, &task.setup);
+            let of_other = shown(|| found.lines());
+            lines.extend(of_other.into_iter().map(|line| format!("wire {}: {line}", other + 1)));
+        }
+    }
     if connection.session.done_by() == DoneBy::Clock {
         lines.push(
             "this machine does not report whether it runs what it is sent: watch it, and see that it is at this port"

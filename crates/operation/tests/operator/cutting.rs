@@ -62,6 +62,23 @@ fn a_row_is_permitted_once_as_long_as_there_is_wire() {
     assert_eq!(cuts(&shop), 4);
 }
 
+/// A person says yes to the wires that follow without a question, too.
+#[test]
+fn what_is_known_of_each_wire_of_a_row_is_told_before_the_first() {
+    let shop = shop(12.5, 0);
+    let seat = connected(&shop);
+    let repeat = Repeat { pieces: 1, stock_mm: Some(5000.0), cut: true };
+    let order = Order::Arm { wire: None, repeat, accept_settings: false, despite_errors: false };
+    seat.operator.order_wire(order, shop.job("two-parts.obj", "odd")).unwrap();
+    let asked = seat.says(Answer::Yes);
+    assert!(asked.lines.iter().any(|line| line.starts_with("wire 2: ")), "{:?}", asked.lines);
+    seat.until_phase(Phase::Armed);
+    seat.order(&json!({"order": "start"}));
+    assert_eq!([seat.until_run().wires[0].wire, seat.until_run().wires[0].wire], [0, 1]);
+    seat.until_phase(Phase::Ready);
+    assert_eq!(cuts(&shop), 2);
+}
+
 /// A piece that still hangs in the machine would be bent into the next one.
 #[test]
 fn nothing_follows_a_piece_that_is_not_cut_off() {
