@@ -5,6 +5,7 @@ import { Button } from "../../shared/controls/Button";
 import { Either } from "../../shared/controls/Either";
 import { Field } from "../../shared/controls/Field";
 import { TextInput } from "../../shared/controls/inputs";
+import { FileProblem, WrittenFiles } from "../../shared/lists/FileOutcome";
 import { Line } from "../../shared/lists/Line";
 import { told } from "../../state/asking/problems";
 import { isRefused, useDesign } from "../../state/design/design";
@@ -79,32 +80,10 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
           </span>
         )}
       </Field>
-      {problem && (
-        <div role="alert">
-          <ul>
-            <Line
-              tone="error"
-              what={problem.exists ? "The file exists already" : "The file was not written"}
-              sub={problem.exists ? "Confirm to replace it." : problem.message}
-              action={
-                problem.exists && (
-                  <Button kind="link" onClick={() => void go(path, true)}>
-                    Replace
-                  </Button>
-                )
-              }
-            />
-          </ul>
-        </div>
-      )}
+      {problem && <FileProblem problem={problem} replace={() => void go(path, true)} />}
       {/* Above the button, which stays under the pointer when the answer comes. */}
       <div ref={answer} aria-live="polite">
-        {done.map((file) => (
-          <p key={file} className="written">
-            <span className="muted">Written: </span>
-            <span className="selectable">{file}</span>
-          </p>
-        ))}
+        <WrittenFiles files={done} />
         {notSearched && (
           <ul>
             <Line tone="warning" what={notSearched} sub="Watch the machine, with STOP at hand." />

@@ -1,6 +1,6 @@
 import { useEffect } from "react";
 import { Button } from "../../shared/controls/Button";
-import { Line } from "../../shared/lists/Line";
+import { FileProblem, WrittenFiles } from "../../shared/lists/FileOutcome";
 import { type FrameFile, forgetFrameFiles, replaceFrameFile, saveFrame, useFrameFiles } from "../../state/frame/files";
 import { useFrame, useFrameStale } from "../../state/frame/frame";
 import { Part } from "../panel/Section";
@@ -29,29 +29,9 @@ export function Files() {
   return (
     <Part title="Files of the loaded frame">
       <div className="stack">
-        {problem && (
-          <ul role="alert">
-            <Line
-              tone="error"
-              what={problem.exists ? "The file exists already" : "The file was not written"}
-              sub={problem.exists ? "Confirm to replace it." : problem.message}
-              action={
-                problem.exists && (
-                  <Button kind="link" onClick={() => void replaceFrameFile()}>
-                    Replace
-                  </Button>
-                )
-              }
-            />
-          </ul>
-        )}
+        {problem && <FileProblem problem={problem} replace={() => void replaceFrameFile()} />}
         <div aria-live="polite" className="frame-written">
-          {written.map((file) => (
-            <p key={file} className="written">
-              <span className="muted">Written: </span>
-              <span className="selectable">{file}</span>
-            </p>
-          ))}
+          <WrittenFiles files={written} />
           {notes.map((note) => (
             <p key={note} className="muted small">
               {note}

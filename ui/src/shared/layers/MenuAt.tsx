@@ -3,7 +3,6 @@ import { type CSSProperties, useRef } from "react";
 import { FROM_EDGE, type MenuItem, Opened, withinMenu } from "./Menu";
 
 /** The menu is above all that is laid over the view, and below the top bar: STOP stays in sight. */
-const LAYER = 50;
 const TOP_BAR = 44;
 const ROOM = { top: TOP_BAR + FROM_EDGE, right: FROM_EDGE, bottom: FROM_EDGE, left: FROM_EDGE };
 
@@ -34,9 +33,9 @@ export function MenuAt({
     if (isFocusFree()) back();
     close();
   };
-  const place: CSSProperties = { position: "fixed", left: at.x, top: at.y, width: 0, height: 0, zIndex: LAYER };
+  const place: CSSProperties = { left: at.x, top: at.y };
   return (
-    <Radix.Root aria-label={label} value="at" onValueChange={changed} style={place}>
+    <Radix.Root aria-label={label} value="at" onValueChange={changed} className="menu-place" style={place}>
       <Radix.Menu value="at">
         {/* It only says where: the menu has no head to go back to. */}
         <Radix.Trigger tabIndex={-1} aria-label={label} className="menu-at" />
