@@ -10,20 +10,22 @@ export function FileProblem({
   readonly replace: () => void;
 }) {
   return (
-    <ul role="alert">
-      <Line
-        tone="error"
-        what={problem.exists ? "The file exists already" : "The file was not written"}
-        sub={problem.exists ? "Confirm to replace it." : problem.message}
-        action={
-          problem.exists && (
-            <Button kind="link" onClick={replace}>
-              Replace
-            </Button>
-          )
-        }
-      />
-    </ul>
+    <div role="alert">
+      <ul>
+        <Line
+          tone="error"
+          what={problem.exists ? "The file exists already" : "The file was not written"}
+          sub={problem.exists ? "Confirm to replace it." : problem.message}
+          action={
+            problem.exists && (
+              <Button kind="link" onClick={replace}>
+                Replace
+              </Button>
+            )
+          }
+        />
+      </ul>
+    </div>
   );
 }
 
