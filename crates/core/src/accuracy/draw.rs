@@ -63,13 +63,29 @@ impl Terms {
             return Draw { amounts, rises: Vec::new() };
         }
         let heights: Vec<f64> = struts.iter().map(|_| normal(self.model.curvature)).collect();
-        let around = Uniform::new(0.0, TAU);
-        let rise = |(strut, height): (&Vector3<f64>, f64)| {
-            let angle = around.map_or(0.0, |around| around.sample(&mut random));
-            across(strut, angle) * (height * strut.norm())
-        };
-        Draw { amounts, rises: struts.iter().zip(heights).map(rise).collect() }
+        Draw { amounts, rises: rises(&mut random, struts, heights) }
     }
+}
+
+/// Struts that all bow by a share of their length, each in a direction of its own, by a seed: from the chord of each to the middle of
+/// its arc.
+#[must_use]
+pub fn bows(struts: &[Vector3<f64>], share: f64, seed: u64) -> Vec<Vector3<f64>> {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    rises(&mut random, struts, struts.iter().map(|_| share))
+}
+
+fn rises(
+    random: &mut ChaCha8Rng,
+    struts: &[Vector3<f64>],
+    heights: impl IntoIterator<Item = f64>,
+) -> Vec<Vector3<f64>> {
+    let around = Uniform::new(0.0, TAU);
+    let rise = |(strut, height): (&Vector3<f64>, f64)| {
+        let angle = around.map_or(0.0, |around| around.sample(random));
+        across(strut, angle) * (height * strut.norm())
+    };
+    struts.iter().zip(heights).map(rise).collect()
 }
 
 /// A direction across a strut, at an angle about it.

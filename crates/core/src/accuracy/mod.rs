@@ -23,7 +23,7 @@ mod tolerance;
 
 pub use closing::{Closed, Closing};
 pub use continuum::{BowedStrut, Continuum, axial_share};
-pub use draw::Draw;
+pub use draw::{Draw, bows};
 pub use expected::Expected;
 pub use misfits::FrameWire;
 pub use model::{ClosingError, ClosingModel, Prepared};

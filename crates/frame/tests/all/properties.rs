@@ -3,8 +3,8 @@
 use nalgebra::{Point3, Rotation3, Vector3};
 use proptest::prelude::*;
 use wirebend_frame::{
-    Assembly, Load, Member, MemberId, Misfit, Model, NodalLoad, NodeId, Pieces, Response, Section, SectionId,
-    Support,
+    Assembly, Flexibility, Load, Member, MemberId, Misfit, ModeSearch, Model, NodalLoad, NodeId, Pieces,
+    Response, Section, SectionId, Support,
 };
 
 use crate::frames::{ABS, bunny, framefab_weight};
@@ -29,6 +29,45 @@ fn assert_same(found: &[Vector3<f64>], expected: &[Vector3<f64>]) {
 
 fn all_moved(response: &Response, nodes: usize) -> Vec<Vector3<f64>> {
     (0..nodes).map(|node| moved(response, node)).collect()
+}
+
+/// The lowest three, in Hz.
+fn frequencies(model: &Model) -> Vec<f64> {
+    let assembly = Assembly::new(model).expect("a model");
+    let search = ModeSearch { count: 3, shift_hz: 4.0, struts: Vec::new() };
+    let modes = assembly.modes(&assembly.all(), &search).expect("modes");
+    modes.iter().map(|mode| mode.frequency_hz).collect()
+}
+
+/// How far the bunny sags after each strut, built upwards as it stood before it was turned. `named` is what a member is called.
+fn sags(model: &Model, gravity: Vector3<f64>, named: impl Fn(usize) -> usize) -> Vec<f64> {
+    let upright = bunny();
+    let height = |member: usize| {
+        let Member { a, b, .. } = upright.members[member];
+        upright.nodes[a.0].z + upright.nodes[b.0].z
+    };
+    let mut left: Vec<usize> = (0..model.members.len()).collect();
+    left.sort_by(|&one, &other| height(one).total_cmp(&height(other)));
+    let assembly = Assembly::new(model).expect("a model");
+    let mut flexibility = Flexibility::new(&assembly, gravity);
+    let mut sags = Vec::new();
+    while let Some(place) = left.iter().position(|&member| {
+        let ends = model.members[named(member)];
+        flexibility.stands(ends.a) || flexibility.stands(ends.b)
+    }) {
+        let member = MemberId(named(left.remove(place)));
+        sags.push(flexibility.add(member).expect("it hangs on").max_displacement);
+    }
+    assert!(left.is_empty());
+    sags
+}
+
+#[track_caller]
+fn same_figures(found: &[f64], expected: &[f64]) {
+    assert_eq!(found.len(), expected.len());
+    for (found, expected) in found.iter().zip(expected) {
+        assert!((found - expected).abs() <= 1e-9 * expected, "{found} instead of {expected}");
+    }
 }
 
 /// A section that is not round, so that local axes matter.
@@ -71,6 +110,8 @@ proptest! {
         let found = solve(&turned, &Load { gravity: turn * load.gravity, ..Load::default() });
         let back: Vec<_> = all_moved(&found, 91).iter().map(|u| turn.inverse() * u).collect();
         assert_same(&back, &all_moved(&expected, 91));
+        same_figures(&frequencies(&turned), &frequencies(&model));
+        same_figures(&sags(&turned, turn * load.gravity, |member| member), &sags(&model, load.gravity, |member| member));
         for (found, expected) in found.member_forces.iter().zip(&expected.member_forces) {
             let differs = found.axial() - expected.axial();
             prop_assert!(differs.abs() < 1e-9, "{} {}", found.axial(), expected.axial());
@@ -98,6 +139,9 @@ proptest! {
         let found = solve(&other, &framefab_weight());
         let found: Vec<_> = shuffle.iter().map(|&node| moved(&found, node)).collect();
         assert_same(&found, &all_moved(&solve(&model, &framefab_weight()), 91));
+        same_figures(&frequencies(&other), &frequencies(&model));
+        let gravity = framefab_weight().gravity;
+        same_figures(&sags(&other, gravity, |member| 178 - member), &sags(&model, gravity, |member| member));
     }
 
     /// Forces at joints and by misfits balance: what supports do to the frame is what acts on it, and no more.

@@ -3,7 +3,9 @@
 
 mod angles;
 mod bows;
+mod frequencies;
 mod lengths;
+mod properties;
 mod truss;
 
 use wirebend_core::simulate::{ErrorModel, ErrorTerm};

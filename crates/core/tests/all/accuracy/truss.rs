@@ -4,7 +4,7 @@ use nalgebra::Point3;
 use wirebend_core::accuracy::{ClosingModel, FrameWire, Surface};
 use wirebend_core::bend::{NominalProgram, Step, program_of_path};
 use wirebend_core::units::{Angle, Length};
-use wirebend_frame::{Material, Section};
+use wirebend_frame::{Material, Member, Model, NodeId, Section, SectionId};
 
 /// Depth of the trusses, mm.
 pub const DEPTH: f64 = 50.0;
@@ -72,6 +72,18 @@ impl Truss {
         ClosingModel::new(&self.points, &[self.wire(&walk(name))], &steel_wire()).unwrap()
     }
 
+    /// The frame that such a walk makes once it is locked, held nowhere: a doubled strut is two members.
+    pub fn locked(&self, name: &str) -> Model {
+        let walk = walk(name);
+        let member = |ends: &[usize]| Member::new(NodeId(ends[0]), NodeId(ends[1]), SectionId(0));
+        Model {
+            nodes: self.points.clone(),
+            members: walk.windows(2).map(member).collect(),
+            sections: vec![steel_wire()],
+            supports: Vec::new(),
+        }
+    }
+
     /// A wire that is fed strut by strut, also where it goes straight on, and bent to either side, as the authors' programs are: half a
     /// turn of the head is a bend to the other side.
     pub fn wire(&self, vertices: &[usize]) -> FrameWire {
@@ -97,7 +109,7 @@ impl Truss {
 }
 
 /// A walk by its name.
-fn walk(name: &str) -> Vec<usize> {
+pub fn walk(name: &str) -> Vec<usize> {
     let lines = WALKS.lines().skip_while(|line| line.strip_suffix(':') != Some(name)).skip(1);
     let numbers = lines.take_while(|line| line.starts_with(' ')).flat_map(str::split_whitespace);
     numbers.map(|number| number.parse().unwrap()).collect()
