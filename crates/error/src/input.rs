@@ -63,6 +63,8 @@ pub enum InputName {
     Modes,
     /// How many pieces a strut is cut into.
     Pieces,
+    /// How far struts bow.
+    Bow,
     /// The faces that are to be flat.
     Faces,
     /// What is required of a closed frame.
@@ -136,6 +138,7 @@ impl InputName {
             Self::Loads => "loads",
             Self::Modes => "number of modes",
             Self::Pieces => "number of pieces",
+            Self::Bow => "bow of struts",
             Self::Faces => "faces",
             Self::Requirements => "requirements",
             Self::Vary => "motions that vary",

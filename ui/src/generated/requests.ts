@@ -1302,6 +1302,10 @@ export interface FixesRequest {
  */
 export interface FrameDesign {
   /**
+   * Struts that bow while it vibrates, beside straight ones.
+   */
+  bow?: BowChoice | null;
+  /**
    * How its joints are closed, where that is asked for.
    */
   close?: ClosingChoice | null;
@@ -1333,6 +1337,19 @@ export interface FrameDesign {
    */
   modes?: number;
   supports?: FrameSupports;
+}
+/**
+ * Struts that are not straight, as wire is that comes from a coil: each is an arc, in a direction of its own.
+ */
+export interface BowChoice {
+  /**
+   * Where the random directions start: the same seed draws the same struts.
+   */
+  seed?: number;
+  /**
+   * From the chord of each strut to the middle of its arc, as a share of its length.
+   */
+  share: number;
 }
 /**
  * How joints are closed, and what is off.
@@ -1840,6 +1857,10 @@ export interface ToleranceDesign {
  * A tetrahedral truss of many rings, by closed formulas.
  */
 export interface ContinuumChoice {
+  /**
+   * How far its struts bow, as a share of their length: that changes its frequency alone.
+   */
+  bow?: number;
   depth_mm: number;
   diameter_mm: number;
   /**

@@ -585,6 +585,7 @@ export type InputName =
   | "loads"
   | "modes"
   | "pieces"
+  | "bow"
   | "faces"
   | "requirements"
   | "vary"
@@ -1457,13 +1458,13 @@ export type ConstructionChange =
       make: "nothing";
     };
 /**
- * How joints are closed.
- */
-export type ClosingName = "aligned" | "coupled";
-/**
  * What a mode is.
  */
 export type ModeKindName = "rigid" | "global" | "local";
+/**
+ * How joints are closed.
+ */
+export type ClosingName = "aligned" | "coupled";
 export type Seen = "document" | "wireframe" | "stencil" | "both" | "job" | "moves";
 /**
  * What an edit would make, and what the machine of the design needs of it; 0 where everything can be made. Lengths in mm.
@@ -4425,6 +4426,10 @@ export interface FrameShown {
  */
 export interface FrameResponse {
   /**
+   * The same where struts bow; null where nobody asked.
+   */
+  bowed: BowedReport | null;
+  /**
    * The frame once its joints are closed; null where nobody asked. Roots of mean squares: over the runs, or expected of all wires.
    */
   closing: ClosingReport | null;
@@ -4469,6 +4474,29 @@ export interface FrameResponse {
   timings_ms: {
     [k: string]: number;
   };
+}
+/**
+ * How the frame vibrates where its struts bow.
+ */
+export interface BowedReport {
+  /**
+   * By rising frequency, rigid ones foremost.
+   */
+  modes: ModeReport[];
+  /**
+   * The lowest frequency at which something bends, as a share of that of straight struts.
+   */
+  of_straight: number;
+  seed: number;
+  share: number;
+}
+export interface ModeReport {
+  /**
+   * The strut of a local mode.
+   */
+  edge?: number | null;
+  frequency_hz: number;
+  kind: ModeKindName;
 }
 /**
  * A closed frame: over drawn wires roots of mean squares, or those that are expected of all.
@@ -4525,14 +4553,6 @@ export interface FrameFigures {
    * Vertices that are held.
    */
   supports: number;
-}
-export interface ModeReport {
-  /**
-   * The strut of a local mode.
-   */
-  edge?: number | null;
-  frequency_hz: number;
-  kind: ModeKindName;
 }
 /**
  * Over all runs.
@@ -6175,6 +6195,10 @@ export interface ToleranceResponse {
    * Of feeds; null where they do not vary.
    */
   feed_sigma_mm: number | null;
+  /**
+   * Of a truss by closed formulas, where they are known for so many rings.
+   */
+  first_frequency: TrussFrequency | null;
   governed_by: RequirementName;
   material: string;
   /**
@@ -6189,6 +6213,27 @@ export interface AchievedReport {
   force_n: number;
   stress_mpa: number | null;
   surface_mm: number;
+}
+/**
+ * The first frequency of a free truss by closed formulas.
+ */
+export interface TrussFrequency {
+  /**
+   * How far struts bow, as a share of their length.
+   */
+  bow: number;
+  /**
+   * The same by the exact tangent of an arc whose ends turn, and of one whose ends do not: rigid joints lie between.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  bowed_between_hz: [number, number];
+  /**
+   * With struts that bow so far, as Bend-Forming has it.
+   */
+  bowed_hz: number;
+  straight_hz: number;
 }
 export interface Events {
   operator: OperatorEvent;

@@ -34,6 +34,7 @@ const INPUTS: Readonly<Record<InputName, string>> = {
   loads: "loads",
   modes: "the number of modes",
   pieces: "the number of pieces",
+  bow: "the bow of struts",
   faces: "the faces",
   requirements: "what is required",
   vary: "the motions that vary",

@@ -7,9 +7,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_planning::catalogue::{NoiseEntry, StrutBuilderEntry, noises, strut_builders};
 use wirebend_planning::frame::{
-    ClosingChoice, ClosingName, ContinuumChoice, FrameFiles, FrameShapes, FrameSupports, LoadCases,
-    LoadsChoice, RequirementsChoice, ToleranceSubject, VaryName, VertexForce, drawn_frame, frame, load_cases,
-    tolerance,
+    BowChoice, ClosingChoice, ClosingName, ContinuumChoice, FrameFiles, FrameShapes, FrameSupports,
+    LoadCases, LoadsChoice, RequirementsChoice, ToleranceSubject, VaryName, VertexForce, drawn_frame, frame,
+    load_cases, tolerance,
 };
 use wirebend_planning::report::NoteReport;
 
@@ -50,6 +50,8 @@ pub struct FrameDesign {
     /// How many modes to look for, the rigid ones aside.
     #[serde(default)]
     pub modes: u32,
+    /// Struts that bow while it vibrates, beside straight ones.
+    pub bow: Option<BowChoice>,
     /// How its joints are closed, where that is asked for.
     pub close: Option<ClosingChoice>,
     /// Whether wires may run along edges twice where there is no route otherwise.
@@ -148,7 +150,7 @@ impl Workspace {
         asked: &SaveFrame,
         progress: &dyn Progress,
     ) -> Result<SavedFrame, ApiError> {
-        let loaded = FrameDesign { modes: 0, close: None, ..asked.frame.clone() };
+        let loaded = FrameDesign { modes: 0, bow: None, close: None, ..asked.frame.clone() };
         let request = self.frame_request(&loaded, asked.files.clone())?;
         let FrameResponse { files, notes, .. } = frame(&self.installation(), &request, progress)?;
         Ok(SavedFrame { files, notes })
@@ -165,6 +167,7 @@ impl Workspace {
             files: Box::new(files),
             modes: asked.modes,
             pieces: PIECES,
+            bow: asked.bow,
             close: asked.close.clone(),
         })
     }

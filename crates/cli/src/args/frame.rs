@@ -50,6 +50,9 @@ pub(crate) struct FrameArgs {
     /// Pieces that a strut is cut into to vibrate
     #[arg(long, value_name = "N", default_value_t = 4)]
     pub pieces: u32,
+    /// Find the modes also where every strut bows by this share of its length, in a random direction; an arc is cut into 9 pieces at least
+    #[arg(long, value_name = "SHARE", requires = "modes", allow_hyphen_values = true)]
+    pub bow: Option<f64>,
     /// Close the joints of the wires that the machine bends, with its errors, and say how accurate the frame is
     #[arg(long, requires = "errors")]
     pub close: bool,
@@ -61,11 +64,11 @@ pub(crate) struct FrameArgs {
     /// How many wires to draw
     #[arg(long, value_name = "N", default_value_t = 100, requires = "close", value_parser = clap::value_parser!(u32).range(1..))]
     pub runs: u32,
-    /// Where the random numbers start; the same seed draws the same wires
-    #[arg(long, value_name = "S", default_value_t = 1, requires = "close")]
-    pub seed: u64,
+    /// Where the random numbers start; the same seed draws the same wires and the same bows [default: 1]
+    #[arg(long, value_name = "S")]
+    pub seed: Option<u64>,
     /// Draw no wires: the exact expectation over all, for errors that bow no strut
-    #[arg(long, requires = "close", conflicts_with_all = ["runs", "seed"])]
+    #[arg(long, requires = "close", conflicts_with = "runs")]
     pub expected: bool,
 }
 
@@ -103,6 +106,15 @@ pub(crate) struct ToleranceArgs {
     /// In place of a wireframe a tetrahedral truss of many rings, by closed formulas: rings, depth and diameter in mm
     #[arg(long, value_name = "N,DEPTH,DIAMETER", value_parser = parse_continuum)]
     pub continuum: Option<ContinuumChoice>,
+    /// How far the struts of such a truss bow, as a share of their length: its first frequency falls
+    #[arg(
+        long,
+        value_name = "SHARE",
+        requires = "continuum",
+        default_value_t = 0.0,
+        allow_hyphen_values = true
+    )]
+    pub bow: f64,
 }
 
 /// Along x, y and z.
@@ -136,6 +148,7 @@ fn parse_continuum(text: &str) -> Result<ContinuumChoice, String> {
         rings: rings.trim().parse().map_err(|_| wrong())?,
         depth_mm: number(depth)?,
         diameter_mm: number(diameter)?,
+        bow: 0.0,
     })
 }
 

@@ -252,6 +252,7 @@ const fn option(input: InputName) -> &'static str {
         InputName::Loads => "--loads",
         InputName::Modes => "--modes",
         InputName::Pieces => "--pieces",
+        InputName::Bow => "--bow",
         InputName::Faces => "--faces",
         InputName::Requirements => "--require",
         InputName::Vary => "--vary",

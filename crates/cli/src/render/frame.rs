@@ -49,6 +49,11 @@ pub(super) fn frame(out: &mut impl Write, found: &FrameResponse) -> std::io::Res
     written(out, found.files.iter())
 }
 
+/// A share of up to four digits in percent.
+fn percent(share: f64) -> f64 {
+    (share * 1.0e6).round() / 1.0e4
+}
+
 fn row(out: &mut impl Write, label: &str, words: &str) -> std::io::Result<()> {
     writeln!(out, "  {label:<18} {words}")
 }
@@ -85,10 +90,18 @@ fn modes(out: &mut impl Write, found: &FrameResponse) -> std::io::Result<()> {
         [(k + 1).to_string(), format!("{:.3} Hz", mode.frequency_hz), kind]
     });
     table(out, ["mode", "frequency", "what moves"], rows)?;
-    match found.modes.len().saturating_sub(LISTED_MODES) {
-        0 => Ok(()),
-        more => writeln!(out, "and {more} more: --json has all"),
+    if let more @ 1.. = found.modes.len().saturating_sub(LISTED_MODES) {
+        writeln!(out, "and {more} more: --json has all")?;
     }
+    let Some(bowed) = &found.bowed else { return Ok(()) };
+    let lowest = bowed.modes.iter().find(|mode| mode.kind != ModeKindName::Rigid);
+    let Some(lowest) = lowest else { return Ok(()) };
+    let words = format!(
+        "the lowest frequency is {:.3} Hz, {:.1} % of that of straight struts",
+        lowest.frequency_hz,
+        100.0 * bowed.of_straight
+    );
+    row(out, &format!("bowed by {} %", percent(bowed.share)), &words)
 }
 
 fn closed(
@@ -152,6 +165,18 @@ pub(super) fn tolerance(out: &mut impl Write, found: &ToleranceResponse) -> std:
         RequirementName::Stress => "the stress",
     };
     row(out, "governed by", governs)?;
+    if let Some(frequency) = &found.first_frequency {
+        let straight = format!("{:.3} Hz", frequency.straight_hz);
+        let words = if frequency.bow > 0.0 {
+            let [least, most] = frequency.bowed_between_hz;
+            let bowed =
+                format!("{:.3} Hz where struts bow by {} %", frequency.bowed_hz, percent(frequency.bow));
+            format!("{straight}; {bowed}, as joints turn between {least:.3} and {most:.3} Hz")
+        } else {
+            straight
+        };
+        row(out, "first frequency", &words)?;
+    }
     let achieved = &found.achieved;
     let stress = achieved.stress_mpa.map(|stress| format!(", {stress:.2} MPa")).unwrap_or_default();
     row(out, "achieved", &format!("{:.4} mm, {:.3} N{stress}", achieved.surface_mm, achieved.force_n))

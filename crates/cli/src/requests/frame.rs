@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use wirebend_api::{
-    ClosingChoice, ClosingName, Command, FrameFiles, FrameRequest, LoadsChoice, Output, ToleranceRequest,
-    ToleranceSubject,
+    BowChoice, ClosingChoice, ClosingName, Command, ContinuumChoice, FrameFiles, FrameRequest, LoadsChoice,
+    Output, ToleranceRequest, ToleranceSubject,
 };
 
 use super::{choices, design, input};
@@ -23,6 +23,11 @@ pub(super) fn frame(args: FrameArgs) -> anyhow::Result<Command> {
         let words = "--closing and --faces are for joints that are closed: give --close and --errors, too";
         return Err(WrongUse(words.to_owned()).into());
     }
+    if args.seed.is_some() && args.bow.is_none() && (!args.close || args.expected) {
+        let words = "--seed is for wires that are drawn and for struts that bow: give --close without --expected, or --bow";
+        return Err(WrongUse(words.to_owned()).into());
+    }
+    let seed = args.seed.unwrap_or(1);
     let force = args.force;
     let file = |path: PathBuf| Output { path, force };
     let loads = args.loads.as_deref().map(input).transpose()?;
@@ -30,7 +35,7 @@ pub(super) fn frame(args: FrameArgs) -> anyhow::Result<Command> {
         errors,
         closing: args.closing.closing.unwrap_or(ClosingName::Aligned),
         runs: if args.expected { 0 } else { args.runs },
-        seed: args.seed,
+        seed,
         faces,
     });
     Ok(Command::Frame(FrameRequest {
@@ -49,13 +54,14 @@ pub(super) fn frame(args: FrameArgs) -> anyhow::Result<Command> {
         }),
         modes: args.modes,
         pieces: args.pieces,
+        bow: args.bow.map(|share| BowChoice { share, seed }),
         close,
     }))
 }
 
 pub(super) fn tolerance(args: ToleranceArgs) -> anyhow::Result<Command> {
     let of = match (args.continuum, args.file) {
-        (Some(truss), _) => ToleranceSubject::Continuum(truss),
+        (Some(truss), _) => ToleranceSubject::Continuum(ContinuumChoice { bow: args.bow, ..truss }),
         (None, Some(file)) => ToleranceSubject::Design(design(&DesignArgs { file, read: args.read })?),
         (None, None) => return Err(WrongUse("no wireframe is named".to_owned()).into()),
     };

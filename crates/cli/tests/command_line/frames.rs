@@ -53,6 +53,60 @@ fn the_bunny_vibrates_as_another_program_says() {
     }
 }
 
+/// Struts that bow by 3 % take more of the frequency of a truss of one ring than of the authors', who double some: theirs falls from
+/// 582.14 to 560.5 Hz.
+#[test]
+fn struts_that_bow_lower_the_frequency() {
+    let truss = |rest: &[&str]| {
+        let free = ["--units", "mm", "--material", "steel-0-9mm", "--supports", "free", "--json"];
+        frame(&example("truss-1.obj"), &[&free, rest].concat())
+    };
+    let found = truss(&["--modes", "1", "--bow", "0.03"]).ended(0).json();
+    assert_fits("frame", &found);
+    let of_straight = found["bowed"]["of_straight"].as_f64().unwrap();
+    assert!((0.8..560.5 / 582.14).contains(&of_straight), "{of_straight}");
+    near(&found["bowed"]["modes"][6]["frequency_hz"], of_straight * 596.635, 1e-5);
+    near(&found["modes"][6]["frequency_hz"], 596.635, 1e-5);
+    let again = truss(&["--modes", "1", "--bow", "0.03", "--seed", "1"]).ended(0).json();
+    assert_eq!(again["bowed"], found["bowed"]);
+    let other = truss(&["--modes", "1", "--bow", "0.03", "--seed", "2"]).ended(0).json();
+    assert_ne!(other["bowed"], found["bowed"]);
+    for (wrong, words) in [
+        (&["--modes", "1", "--bow", "0"][..], "above 0, up to 0.5"),
+        (&["--modes", "1", "--bow", "-0.1"], "above 0, up to 0.5"),
+        (&["--modes", "1", "--bow", "0.7"], "above 0, up to 0.5"),
+        (&["--modes", "0", "--bow", "0.1"], "at least 1 where struts bow"),
+        (&["--bow", "0.1"], "--modes"),
+        (&["--seed", "3"], "--seed is for wires that are drawn and for struts that bow"),
+    ] {
+        let ran = truss(wrong).ended(2);
+        let said = String::from_utf8_lossy(&ran.out) + &ran.err[..];
+        assert!(said.contains(words), "{wrong:?}: {said}");
+    }
+}
+
+/// Eq 8 with the factor of the authors' sheet, and where it is not known.
+#[test]
+fn closed_formulas_have_the_first_frequency_of_few_rings() {
+    let found = |truss: &str, rest: &[&str]| {
+        let of = ["tolerance", "--continuum", truss, "--material", "steel-0-9mm", "--json", "--require"];
+        run(&[&of[..], &["surface=1mm"], rest].concat())
+    };
+    let three = found("3,50,428.660705", &["--bow", "0.03"]).ended(0).json();
+    assert_fits("tolerance", &three);
+    near(&three["first_frequency"]["straight_hz"], 1085.2, 1e-3);
+    near(&three["first_frequency"]["bowed_hz"], 185.2, 1e-3);
+    // Shares of the stiffness of an arc on its own, of which frequencies are the roots.
+    near(&three["first_frequency"]["bowed_between_hz"][0], 1085.2 * 0.0274_f64.sqrt(), 3e-3);
+    near(&three["first_frequency"]["bowed_between_hz"][1], 1085.2 * 0.144_f64.sqrt(), 3e-3);
+    let many = found("408,50,50000", &[]).ended(0).json();
+    assert_eq!((&many["first_frequency"], &many["notes"]), (&Value::Null, &serde_json::json!([])));
+    let many = found("408,50,50000", &["--bow", "0.01"]).ended(0).json();
+    assert_eq!(many["notes"][0]["code"], "frequency-not-fitted");
+    let wrong = found("3,50,428", &["--bow", "0.6"]).ended(2);
+    assert!(String::from_utf8_lossy(&wrong.out).contains("from 0 to 0.5"));
+}
+
 #[test]
 fn a_file_of_an_assembly_brings_its_supports() {
     let arguments = [&["--material", "abs-1-5mm", "--json"], &THEIR_GRAVITY[..]].concat();

@@ -38,7 +38,7 @@ pub use closing::{ClosingChoice, ClosingName, ClosingReport, ClosingRuns, Resour
 pub use figures::ClosingFigures;
 pub use loads::{LoadCaseEntry, LoadCases, LoadsChoice, VertexForce, load_cases};
 pub(crate) use material::FrameMaterial;
-pub use modes::{ModeKindName, ModeReport};
+pub use modes::{BowChoice, BowedReport, ModeKindName, ModeReport};
 pub use report::{MemberReport, ReactionReport, StaticReport};
 pub use results::FrameFiles;
 use results::{Loaded, Wanted};
@@ -47,7 +47,7 @@ use structure::Structure;
 pub use supports::FrameSupports;
 pub use tolerance::{
     AchievedReport, ContinuumChoice, RequirementName, RequirementsChoice, ToleranceRequest,
-    ToleranceResponse, ToleranceSubject, VaryName, tolerance,
+    ToleranceResponse, ToleranceSubject, TrussFrequency, VaryName, tolerance,
 };
 
 /// The most modes.
@@ -80,6 +80,8 @@ pub struct FrameRequest {
     #[serde(default = "four")]
     #[schemars(range(min = 1))]
     pub pieces: u32,
+    /// Struts that bow while it vibrates, beside straight ones. An arc is cut into at least 9 pieces.
+    pub bow: Option<BowChoice>,
     /// How its joints are closed, where that is asked for.
     pub close: Option<ClosingChoice>,
 }
@@ -113,6 +115,8 @@ pub struct FrameResponse {
     pub statics: Option<StaticReport>,
     /// By rising frequency, rigid ones foremost.
     pub modes: Vec<ModeReport>,
+    /// The same where struts bow; null where nobody asked.
+    pub bowed: Option<BowedReport>,
     /// The frame once its joints are closed; null where nobody asked. Roots of mean squares: over the runs, or expected of all wires.
     pub closing: Option<ClosingReport>,
     /// How many wires were drawn; null where the figures are the exact expectation, or nobody asked.
@@ -157,6 +161,7 @@ fn compute(
 ) -> Result<(FrameResponse, FrameShapes), PlanningError> {
     within(InputName::Modes, u64::from(request.modes), 0, u64::from(MAX_MODES), "0 to 1000")?;
     within(InputName::Pieces, u64::from(request.pieces), 1, u64::from(MAX_PIECES), "1 to 100")?;
+    request.bow.map_or(Ok(()), |bow| bow.check(request.modes))?;
     let wanted = Wanted::of(&request.files)?;
     let mut timings = Timings::default();
     let opened = app
@@ -186,6 +191,16 @@ fn compute(
     progress.stage("looking for modes");
     let (modes, mode_shapes) = structure.modes(request.modes, request.pieces, drawn)?;
     timings.took("modes");
+    let bowed = match request.bow {
+        Some(bow) => {
+            going_on(progress)?;
+            progress.stage("looking for modes of bowed struts");
+            let bowed = structure.bowed(bow, request.pieces, request.modes, &modes)?;
+            timings.took("bowed");
+            bowed
+        }
+        None => None,
+    };
     going_on(progress)?;
     let closed = match &request.close {
         Some(choice) if !structure.edges.is_empty() => {
@@ -216,6 +231,7 @@ fn compute(
         frame: structure.figures(),
         statics: solved.map(|(report, _)| report),
         modes,
+        bowed,
         closing: closed.report,
         runs: closed.runs,
         of_runs: closed.of_runs,

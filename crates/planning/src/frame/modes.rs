@@ -3,8 +3,10 @@
 use std::f64::consts::FRAC_PI_2;
 
 use schemars::JsonSchema;
-use serde::Serialize;
-use wirebend_frame::{Assembly, MemberId, ModeKind, ModeSearch, Pieces};
+use serde::{Deserialize, Serialize};
+use wirebend_core::accuracy::bows;
+use wirebend_error::InputName;
+use wirebend_frame::{Assembly, MemberId, Mode, ModeKind, ModeSearch, Model, Pieces};
 
 use super::shapes::StrutShape;
 use super::structure::Structure;
@@ -12,6 +14,12 @@ use crate::PlanningError;
 
 /// The search begins at this share of the frequency of the longest strut between pins.
 const BELOW: f64 = 0.2;
+
+/// Fewer chords of an arc would be stiffer than it is.
+const LEAST_OF_AN_ARC: u32 = 9;
+
+/// At most so far do struts bow: half a circle.
+const LARGEST_BOW: f64 = 0.5;
 
 /// What a mode is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
@@ -34,6 +42,57 @@ pub struct ModeReport {
     pub edge: Option<u32>,
 }
 
+/// Struts that are not straight, as wire is that comes from a coil: each is an arc, in a direction of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+pub struct BowChoice {
+    /// From the chord of each strut to the middle of its arc, as a share of its length.
+    #[schemars(range(min = 0.0, max = 0.5))]
+    pub share: f64,
+    /// Where the random directions start: the same seed draws the same struts.
+    #[serde(default = "one")]
+    pub seed: u64,
+}
+
+const fn one() -> u64 {
+    1
+}
+
+/// How the frame vibrates where its struts bow.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct BowedReport {
+    pub share: f64,
+    pub seed: u64,
+    /// By rising frequency, rigid ones foremost.
+    pub modes: Vec<ModeReport>,
+    /// The lowest frequency at which something bends, as a share of that of straight struts.
+    pub of_straight: f64,
+}
+
+impl BowChoice {
+    /// # Errors
+    /// It is no bow, or no modes are looked for that it could change.
+    pub(super) fn check(self, modes: u32) -> Result<(), PlanningError> {
+        let wrong = |input: InputName, value: String, expected| {
+            Err(PlanningError::Value { input: Some(input), name: input.words(), value, expected })
+        };
+        if !(self.share > 0.0 && self.share <= LARGEST_BOW) {
+            return wrong(
+                InputName::Bow,
+                self.share.to_string(),
+                "a share of their length above 0, up to 0.5",
+            );
+        }
+        if modes == 0 {
+            return wrong(
+                InputName::Modes,
+                "0".to_owned(),
+                "at least 1 where struts bow, which changes nothing else",
+            );
+        }
+        Ok(())
+    }
+}
+
 impl Structure {
     /// The lowest modes, each strut cut into pieces; and how they look, where that is `drawn`.
     pub fn modes(
@@ -45,14 +104,48 @@ impl Structure {
         if count == 0 || self.edges.is_empty() {
             return Ok((Vec::new(), Vec::new()));
         }
+        let (model, modes) = self.found(count, Pieces::new(self.assembly.model(), pieces as usize))?;
+        let shapes = modes.iter().filter(|_| drawn);
+        let shapes = shapes.map(|mode| self.vibrating(&model, pieces as usize, &mode.shape)).collect();
+        Ok((self.reports(&modes), shapes))
+    }
+
+    /// The same of bowed struts, beside the modes of straight ones.
+    pub fn bowed(
+        &self,
+        bow: BowChoice,
+        pieces: u32,
+        count: u32,
+        straight: &[ModeReport],
+    ) -> Result<Option<BowedReport>, PlanningError> {
+        let lowest = |modes: &[ModeReport]| {
+            modes.iter().find(|mode| mode.kind != ModeKindName::Rigid).map(|mode| mode.frequency_hz)
+        };
+        let Some(of_straight) = lowest(straight) else { return Ok(None) };
+        let model = self.assembly.model();
+        let ways = model
+            .members
+            .iter()
+            .filter_map(|member| Some(model.nodes.get(member.b.0)? - model.nodes.get(member.a.0)?));
+        let rises = bows(&ways.collect::<Vec<_>>(), bow.share, bow.seed);
+        let (_, modes) =
+            self.found(count, Pieces::bowed(model, pieces.max(LEAST_OF_AN_ARC) as usize, &rises))?;
+        let modes = self.reports(&modes);
+        let of_straight = lowest(&modes).unwrap_or_default() / of_straight;
+        Ok(Some(BowedReport { share: bow.share, seed: bow.seed, modes, of_straight }))
+    }
+
+    /// The modes of a frame that was cut into pieces, and what it was cut into.
+    fn found(&self, count: u32, cut: Pieces) -> Result<(Model, Vec<Mode>), PlanningError> {
         let no_modes = |reason: String| PlanningError::NoModes { reason };
-        let cut = Pieces::new(self.assembly.model(), pieces as usize);
         let assembly = Assembly::new(&cut.model).map_err(|error| no_modes(error.to_string()))?;
         let search = ModeSearch { count: count as usize, shift_hz: self.shift_hz(), struts: cut.struts };
         let modes = assembly.modes(&assembly.all(), &search).map_err(|error| no_modes(error.to_string()))?;
-        let shapes = modes.iter().filter(|_| drawn);
-        let shapes = shapes.map(|mode| self.vibrating(&cut.model, pieces as usize, &mode.shape)).collect();
-        Ok((modes.iter().map(|mode| self.mode(mode.frequency_hz, mode.kind)).collect(), shapes))
+        Ok((cut.model, modes))
+    }
+
+    fn reports(&self, modes: &[Mode]) -> Vec<ModeReport> {
+        modes.iter().map(|mode| self.mode(mode.frequency_hz, mode.kind)).collect()
     }
 
     fn mode(&self, frequency_hz: f64, kind: ModeKind) -> ModeReport {

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::accuracy::{
-    self, Closing, Continuum, Effects, NoLimit, Requirement, Surface, Tolerance, Vary,
+    self, BowedStrut, Closing, Continuum, Effects, NoLimit, Requirement, Surface, Tolerance, Vary,
 };
 use wirebend_core::simulate::{ErrorModel, ErrorTerm};
 use wirebend_core::units::Length;
@@ -46,6 +46,10 @@ pub struct ContinuumChoice {
     pub rings: u32,
     pub depth_mm: f64,
     pub diameter_mm: f64,
+    /// How far its struts bow, as a share of their length: that changes its frequency alone.
+    #[serde(default)]
+    #[schemars(range(min = 0.0, max = 0.5))]
+    pub bow: f64,
 }
 
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -106,6 +110,18 @@ pub struct AchievedReport {
     pub stress_mpa: Option<f64>,
 }
 
+/// The first frequency of a free truss by closed formulas.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct TrussFrequency {
+    pub straight_hz: f64,
+    /// How far struts bow, as a share of their length.
+    pub bow: f64,
+    /// With struts that bow so far, as Bend-Forming has it.
+    pub bowed_hz: f64,
+    /// The same by the exact tangent of an arc whose ends turn, and of one whose ends do not: rigid joints lie between.
+    pub bowed_between_hz: [f64; 2],
+}
+
 /// How good the motions of a machine must be: standard deviations without a systematic part.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct ToleranceResponse {
@@ -117,6 +133,8 @@ pub struct ToleranceResponse {
     /// The requirement that leaves no reserve.
     pub governed_by: RequirementName,
     pub achieved: AchievedReport,
+    /// Of a truss by closed formulas, where they are known for so many rings.
+    pub first_frequency: Option<TrussFrequency>,
     /// What was merged, ignored or assumed while reading.
     pub notes: Vec<NoteReport>,
 }
@@ -139,6 +157,7 @@ pub fn tolerance(
     match &request.of {
         ToleranceSubject::Continuum(truss) => {
             let material = app.material_of(request.choices.material.as_deref())?;
+            let bow = truss.bow;
             let truss = truss.checked(&material.wire)?;
             if request.vary != VaryName::Feed || request.required.stress_mpa.is_some() {
                 return Err(PlanningError::OnlyLengths);
@@ -149,7 +168,13 @@ pub fn tolerance(
                 stress: 0.0,
             };
             let found = accuracy::tolerance(&feed, &Effects::default(), &required, vary).map_err(no_limit)?;
-            Ok(ToleranceResponse::new(material.id, &found, false, Vec::new()))
+            let first_frequency = first_frequency(&truss, bow);
+            let notes =
+                if bow > 0.0 && first_frequency.is_none() { vec![frequency_unknown()] } else { Vec::new() };
+            Ok(ToleranceResponse {
+                first_frequency,
+                ..ToleranceResponse::new(material.id, &found, false, notes)
+            })
         }
         ToleranceSubject::Design(design) => {
             let opened = app
@@ -165,6 +190,26 @@ pub fn tolerance(
             notes.extend(wires.notes);
             Ok(ToleranceResponse::new(wires.material.id, &found, true, notes))
         }
+    }
+}
+
+fn first_frequency(truss: &Continuum, bow: f64) -> Option<TrussFrequency> {
+    let of = |strut| truss.first_frequency_hz(bow, strut);
+    Some(TrussFrequency {
+        straight_hz: truss.first_frequency_hz(0.0, BowedStrut::Published)?,
+        bow,
+        bowed_hz: of(BowedStrut::Published)?,
+        bowed_between_hz: [of(BowedStrut::Pinned)?, of(BowedStrut::Clamped)?],
+    })
+}
+
+fn frequency_unknown() -> NoteReport {
+    NoteReport {
+        code: "frequency-not-fitted".into(),
+        count: 1,
+        message: "a bow changes the first frequency alone, which is known for trusses of 1 to 10 rings"
+            .to_owned(),
+        remedies: Vec::new(),
     }
 }
 
@@ -220,6 +265,9 @@ impl ContinuumChoice {
         if self.rings == 0 {
             return Err(wrong(InputName::Continuum, 0.0, "at least 1 ring"));
         }
+        if !(0.0..=0.5).contains(&self.bow) {
+            return Err(wrong(InputName::Bow, self.bow, "a share of their length, from 0 to 0.5"));
+        }
         let (depth, diameter) = (length(self.depth_mm)?, length(self.diameter_mm)?);
         Ok(Continuum { rings: self.rings, depth, diameter, wire: *wire })
     }
@@ -237,6 +285,7 @@ impl ToleranceResponse {
                 force_n: found.achieved.force,
                 stress_mpa: stress.then_some(found.achieved.stress),
             },
+            first_frequency: None,
             notes,
         }
     }

@@ -1,8 +1,8 @@
-import { errorText } from "../../platform/error_text";
 import type { Shown as ShownName } from "../../scene/interface";
 import { Segmented } from "../../shared/controls/inputs";
 import { useUnit } from "../../shared/figures/unit";
 import { chooseShown, usePlayback, useProgram } from "../../state/program/program";
+import { Notes } from "../panel/Notes";
 import { worst } from "./steps";
 
 /** The wire as it is designed, as the machine bends it, or both. */
@@ -37,11 +37,7 @@ export function Shown() {
             ? `${off}, ${made?.by_machine ? "on the simulated machine" : "calculated: this machine has no simulator"}`
             : "“As made” simulates how the machine bends it."}
       </p>
-      {made?.notes.map((note) => (
-        <p key={note.code + note.message} className="muted small">
-          {errorText(note)}
-        </p>
-      ))}
+      <Notes notes={made?.notes ?? []} />
     </div>
   );
 }

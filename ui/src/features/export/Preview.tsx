@@ -1,11 +1,11 @@
 import { useEffect } from "react";
 import type { FormatEntry } from "../../generated/responses";
-import { errorText } from "../../platform/error_text";
 import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { isRefused, useDesign } from "../../state/design/design";
 import { preview, setDespiteErrors, useExports } from "../../state/files/exports";
 import { Anyway } from "../check/Anyway";
+import { Notes } from "../panel/Notes";
 import { bytes, isPrinted } from "./groups";
 
 /** How long nothing has to change before it is asked for, ms. */
@@ -51,11 +51,7 @@ export function Preview({ format }: { readonly format: FormatEntry }) {
           <Line tone="error" what="The file cannot be written" sub={mine.refused.message} />
         </ul>
       )}
-      {mine?.seen?.notes.map((note) => (
-        <p key={note.code + note.message} className="muted small">
-          {errorText(note)}
-        </p>
-      ))}
+      <Notes notes={mine?.seen?.notes ?? []} />
       {mine?.seen?.beginnings.map((beginning, index) => (
         // biome-ignore lint/suspicious/noArrayIndexKey: the files of a format have no other name
         <figure key={index} className="preview">

@@ -57,6 +57,18 @@ it("computes, lists figures with their places, and shows modes on demand", async
   expect(useShape.getState().swinging).toBe(true);
 });
 
+it("shows the frequency of bowed struts beside that of straight ones, and what was left out", async () => {
+  const shown = frameShown();
+  const bowed = { share: 0.03, seed: 1, modes: [{ frequency_hz: 6.2, kind: "global" as const }], of_straight: 0.502 };
+  const note = { code: "support-unused", count: 1, message: "no strut ends at the support at vertex 5", remedies: [] };
+  ask.mockResolvedValue({ ...shown, result: { ...shown.result, bowed, notes: [note] } });
+  at.show(<FrameSection />);
+  await press("Compute");
+  const table = at.host.querySelector('[aria-label="Results"]')?.textContent;
+  expect(table).toContain("Where struts bow by 3.0 %6.2 Hz50 % of straight");
+  expect(at.host.textContent).toContain("No strut ends at the support at vertex 5");
+});
+
 it("says that the design has changed since", async () => {
   at.show(<FrameSection />);
   await press("Compute");

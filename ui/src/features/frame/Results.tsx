@@ -1,9 +1,10 @@
 import type { DiagnosticReport, FrameShown } from "../../generated/responses";
-import { sentence } from "../../shared/figures/format";
+import { percent, sentence } from "../../shared/figures/format";
 import { useLengths } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { select } from "../../state/design/selection";
 import { frame } from "../../state/window/view";
+import { Notes } from "../panel/Notes";
 import { placesOf } from "../viewport/marks";
 import { Place } from "./Place";
 import { displacement, force, frequency, mass, stress, utilisation } from "./words";
@@ -35,7 +36,7 @@ export function Finding({ report }: { readonly report: DiagnosticReport }) {
 /** The figures of a frame, each with its place. */
 export function Results({ shown }: { readonly shown: FrameShown }) {
   const { length, unit } = useLengths();
-  const { frame: figures, static: loaded, modes, material } = shown.result;
+  const { frame: figures, static: loaded, modes, bowed, material } = shown.result;
   const members = loaded?.members ?? [];
   const most = (of: (member: (typeof members)[number]) => number) =>
     members.toSorted((a, b) => of(b) - of(a)).find((member) => of(member) > 0);
@@ -44,6 +45,7 @@ export function Results({ shown }: { readonly shown: FrameShown }) {
   const buckling = most(({ buckling_ratio }) => buckling_ratio);
   const pulled = most(({ axial_n }) => Math.abs(axial_n));
   const bends = modes.find(({ kind }) => kind !== "rigid");
+  const lowest = bowed?.modes.find(({ kind }) => kind !== "rigid");
   return (
     <div className="stack">
       {shown.result.diagnostics.length > 0 && (
@@ -107,6 +109,13 @@ export function Results({ shown }: { readonly shown: FrameShown }) {
               <td>{bends.edge != null && <Place edge={bends.edge} />}</td>
             </tr>
           )}
+          {bowed && lowest && (
+            <tr>
+              <td>Where struts bow by {percent(bowed.share, 1)}</td>
+              <td>{frequency(lowest.frequency_hz)}</td>
+              <td className="muted">{percent(bowed.of_straight, 0)} of straight</td>
+            </tr>
+          )}
           <tr>
             <td>Mass, without joints</td>
             <td>{mass(figures.mass_g)}</td>
@@ -114,6 +123,7 @@ export function Results({ shown }: { readonly shown: FrameShown }) {
           </tr>
         </tbody>
       </table>
+      <Notes notes={shown.result.notes} />
       <p className="muted small">
         {figures.members} struts of {material}, held at {figures.supports}{" "}
         {figures.supports === 1 ? "vertex" : "vertices"}. Small displacements, rigid joints.

@@ -22,7 +22,7 @@ import { Loads } from "./Loads";
 
 /** Material, supports and loads. */
 export function Setup() {
-  const { material, hold, modes } = useFrame();
+  const { material, hold, modes, bow } = useFrame();
   const own = useDesign(({ state }) => state?.material ?? null);
   const held = useDesign(({ vertices }) => [...vertices.values()].filter(({ support }) => support).length);
   const chosen = useFrame((frame) => frame.chosen.size);
@@ -76,6 +76,20 @@ export function Setup() {
             min={0}
             max={100}
             onCommit={(value) => chooseFrame({ modes: value })}
+          />
+        )}
+      </Field>
+      <Field label="Bow of struts">
+        {(ids) => (
+          <NumberField
+            {...ids}
+            label="Bow of struts, as a share of their length"
+            kind="percent"
+            why={modes === 0 ? "A bow changes modes alone, and none are looked for." : null}
+            value={bow}
+            min={0}
+            max={0.5}
+            onCommit={(value) => chooseFrame({ bow: value })}
           />
         )}
       </Field>

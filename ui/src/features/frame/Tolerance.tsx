@@ -3,18 +3,19 @@ import { Button } from "../../shared/controls/Button";
 import { Field } from "../../shared/controls/Field";
 import { Bar, Checkbox, Segmented } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
-import { short } from "../../shared/figures/format";
+import { percent, short } from "../../shared/figures/format";
 import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { useDesign } from "../../state/design/design";
 import { baseName } from "../../state/files/files";
 import { askTolerance, require, useFrame, useToleranceStale } from "../../state/frame/frame";
+import { Notes } from "../panel/Notes";
 import { Part } from "../panel/Section";
 import { Faces } from "./Faces";
-import { displacement, exactness, force, stress } from "./words";
+import { displacement, exactness, force, frequency, stress } from "./words";
 
 /** A truss of the size of an antenna, in place of the design. */
-const LARGE: ContinuumChoice = { rings: 408, depth_mm: 50, diameter_mm: 50_000 };
+const LARGE: ContinuumChoice = { rings: 408, depth_mm: 50, diameter_mm: 50_000, bow: 0 };
 
 /** A truss that is too large to be solved. */
 function Continuum() {
@@ -66,6 +67,19 @@ function Continuum() {
                 min={1e-3}
                 max={1e9}
                 onCommit={(diameter_mm) => change({ diameter_mm })}
+              />
+            )}
+          </Field>
+          <Field label="Bow of struts">
+            {(ids) => (
+              <NumberField
+                {...ids}
+                label="Bow of its struts, as a share of their length"
+                kind="percent"
+                value={truss.bow ?? 0}
+                min={0}
+                max={0.5}
+                onCommit={(bow) => change({ bow })}
               />
             )}
           </Field>
@@ -201,6 +215,7 @@ export function Tolerance() {
             <Line tone="error" what="No tolerance was found" sub={toleranceProblem} />
           </ul>
         )}
+        {found && <Notes notes={found.notes} />}
         {found && rows && (
           <table className="figures" aria-label="Tolerance">
             <tbody>
@@ -227,6 +242,21 @@ export function Tolerance() {
                     <td className="muted">{limit === null ? "not required" : `of ${show(limit)}`}</td>
                   </tr>
                 ),
+              )}
+              {found.first_frequency && (
+                <tr>
+                  <td>First frequency, straight struts</td>
+                  <td colSpan={2}>{frequency(found.first_frequency.straight_hz)}</td>
+                </tr>
+              )}
+              {found.first_frequency && found.first_frequency.bow > 0 && (
+                <tr>
+                  <td>Where struts bow by {percent(found.first_frequency.bow, 1)}</td>
+                  <td>{frequency(found.first_frequency.bowed_hz)}</td>
+                  <td className="muted">
+                    {found.first_frequency.bowed_between_hz.map(frequency).join(" to ")} by joints
+                  </td>
+                </tr>
               )}
             </tbody>
           </table>

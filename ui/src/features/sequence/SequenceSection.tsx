@@ -26,6 +26,7 @@ import {
 import { Finding } from "../frame/Results";
 import { cssOf, layerColour } from "../frame/ramp";
 import { displacement } from "../frame/words";
+import { Notes } from "../panel/Notes";
 import { Part, Section } from "../panel/Section";
 import { Curve } from "./Curve";
 import { Steps } from "./Steps";
@@ -213,6 +214,7 @@ function Found({ drawn }: { readonly drawn: DrawnSequence }) {
       {sequence.diagnostics.length > MAX_FINDINGS && (
         <p className="muted small">And {number(sequence.diagnostics.length - MAX_FINDINGS, 0)} more.</p>
       )}
+      <Notes notes={sequence.notes} />
       {steps > 0 && (
         <>
           {changed && (

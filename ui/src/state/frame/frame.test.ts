@@ -35,7 +35,7 @@ describe("computing a frame", () => {
   it("asks for what was chosen, and shows what it carries", async () => {
     ask.mockResolvedValue(frameShown());
     toggleSupports([2, 1]);
-    chooseFrame({ hold: "chosen", modes: 3, errors: "bend-forming" });
+    chooseFrame({ hold: "chosen", modes: 3, bow: 0.03, errors: "bend-forming" });
     await computeFrame();
     expect(ask).toHaveBeenCalledWith("frame", {
       material: null,
@@ -44,6 +44,7 @@ describe("computing a frame", () => {
       loads: null,
       forces: [],
       modes: 3,
+      bow: { share: 0.03, seed: 1 },
       close: { errors: "bend-forming", closing: "aligned", runs: 100, seed: 1, faces: null },
       double: false,
     });

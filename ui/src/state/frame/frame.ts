@@ -32,6 +32,8 @@ export interface FrameChoice {
   readonly forces: ReadonlyMap<number, Vec3>;
   readonly loadFile: LoadFile | null;
   readonly modes: number;
+  /** How far struts bow while they vibrate, as a share of their length; 0: they are straight. */
+  readonly bow: number;
   /** Errors of a machine with which the wires are made and closed; null: joints are not closed. */
   readonly errors: string | null;
   readonly closing: ClosingName;
@@ -85,6 +87,7 @@ const USUAL: FrameChoice = {
   forces: new Map(),
   loadFile: null,
   modes: 6,
+  bow: 0,
   errors: null,
   closing: "aligned",
   runs: 100,
@@ -160,7 +163,7 @@ function basisOf(choice: FrameChoice): string {
 
 /** What is asked of the Rust side. */
 export function frameRequest(choice: FrameChoice): FrameDesign {
-  const { material, gravity, forces, loadFile, modes, errors, closing, runs, double, faces } = choice;
+  const { material, gravity, forces, loadFile, modes, bow, errors, closing, runs, double, faces } = choice;
   return {
     material,
     supports: supports(choice),
@@ -168,6 +171,7 @@ export function frameRequest(choice: FrameChoice): FrameDesign {
     loads: loadFile && { file: { file: loadFile.path }, case: loadFile.chosen },
     forces: [...forces].map(([vertex, force]) => ({ vertex, force_n: [...force] as [number, number, number] })),
     modes,
+    bow: bow > 0 && modes > 0 ? { share: bow, seed: 1 } : null,
     close: errors === null ? null : { errors, closing, runs, seed: 1, faces: faces === null ? null : { file: faces } },
     double: errors !== null && double,
   };

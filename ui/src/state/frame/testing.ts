@@ -54,6 +54,7 @@ export const frameShown = (): FrameShown => ({
       { frequency_hz: 0, kind: "rigid" },
       { frequency_hz: 12.34, kind: "global" },
     ],
+    bowed: null,
     closing: null,
     runs: null,
     of_runs: null,
