@@ -117,6 +117,11 @@ pub const fn default_weld_mm() -> f64 {
     1e-3
 }
 
+/// The same as a length.
+pub(crate) fn default_weld() -> Length {
+    Length::from_mm(default_weld_mm()).unwrap_or_default()
+}
+
 const fn default_tolerance_mm() -> f64 {
     DEFAULT_TOLERANCE_MM
 }

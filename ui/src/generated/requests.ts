@@ -1373,6 +1373,10 @@ export interface ClosingChoice {
    * Where the random numbers start.
    */
   seed: number;
+  /**
+   * Where the first drawn wire goes once its joints are closed, as a VTK file.
+   */
+  vtk?: Output | null;
 }
 /**
  * A force at a vertex.

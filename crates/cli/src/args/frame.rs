@@ -67,8 +67,11 @@ pub(crate) struct FrameArgs {
     /// Where the random numbers start; the same seed draws the same wires and the same bows [default: 1]
     #[arg(long, value_name = "S")]
     pub seed: Option<u64>,
+    /// Write the first wire that is drawn, once its joints are closed, as VTK
+    #[arg(long, value_name = "FILE", requires = "close")]
+    pub closed_vtk: Option<PathBuf>,
     /// Draw no wires: the exact expectation over all, for errors that bow no strut
-    #[arg(long, requires = "close", conflicts_with = "runs")]
+    #[arg(long, requires = "close", conflicts_with_all = ["runs", "closed_vtk"])]
     pub expected: bool,
 }
 

@@ -46,7 +46,7 @@ pub(crate) struct SequenceArgs {
     /// File to write the sequence to
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// What to write: wirebend (JSON that --check reads), framefab, or assembly-instances (elements in the order of building)
+    /// What to write: wirebend (JSON that --check reads), framefab, or assembly-instances (elements in the order of building), or vtk (the frame under its own weight with the step of each strut)
     #[arg(long, short = 'f', value_name = "FORMAT", default_value = "wirebend", requires = "output", value_parser = format_parser())]
     pub format: SequenceFormat,
     /// Replace a file that is there
@@ -62,10 +62,11 @@ fn cost_parser() -> impl TypedValueParser<Value = CostName> {
 
 fn format_parser() -> impl TypedValueParser<Value = SequenceFormat> {
     // The parser before has refused every other word.
-    PossibleValuesParser::new(["wirebend", "framefab", "assembly-instances"]).map(|word| {
+    PossibleValuesParser::new(["wirebend", "framefab", "assembly-instances", "vtk"]).map(|word| {
         match word.as_str() {
             "framefab" => SequenceFormat::Framefab,
             "assembly-instances" => SequenceFormat::AssemblyInstances,
+            "vtk" => SequenceFormat::Vtk,
             _ => SequenceFormat::Wirebend,
         }
     })

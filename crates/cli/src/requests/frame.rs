@@ -14,9 +14,9 @@ use crate::usage::WrongUse;
 
 pub(super) fn frame(args: FrameArgs) -> anyhow::Result<Command> {
     let faces = args.closing.faces.as_deref().map(input).transpose()?;
-    let named = [&args.vtk, &args.csv, &args.conmech, &args.glb];
+    let named = [&args.vtk, &args.csv, &args.conmech, &args.glb, &args.closed_vtk];
     if named.into_iter().flatten().any(|path| path == Path::new("-")) {
-        let words = "results go to files: name one after --vtk, --csv, --conmech or --glb";
+        let words = "results go to files: name one after --vtk, --csv, --conmech, --glb or --closed-vtk";
         return Err(WrongUse(words.to_owned()).into());
     }
     if !args.close && (args.closing.closing.is_some() || args.closing.faces.is_some()) {
@@ -37,6 +37,7 @@ pub(super) fn frame(args: FrameArgs) -> anyhow::Result<Command> {
         runs: if args.expected { 0 } else { args.runs },
         seed,
         faces,
+        vtk: args.closed_vtk.map(file),
     });
     Ok(Command::Frame(FrameRequest {
         design: design(&args.design)?,

@@ -32,6 +32,51 @@ fn results_are_written_for_other_programs() {
     assert!(!folder.path().join("free.json").exists() && !folder.path().join("free.glb").exists());
 }
 
+/// A sequence as the frame that it builds, each strut with its step; sags and stresses are those of `frame`.
+#[test]
+fn a_sequence_is_written_with_the_step_of_each_strut() {
+    let folder = tempfile::tempdir().unwrap();
+    let frame = data("assembly-instances/simple_frame.json");
+    let material = ["--material", "abs-1-5mm", "--json"];
+    let build = ["sequence", &frame, "--machine", "framefab-extruder", "-o", "built.vtk", "-f", "vtk"];
+    let found = run_in(folder.path(), &[&build[..], &material].concat(), b"").ended(0).json();
+    run_in(folder.path(), &[&["frame", &frame, "--vtk", "frame.vtk"], &material[..]].concat(), b"").ended(0);
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    let built = read("built.vtk");
+    let (before, steps) = built.split_once("SCALARS step int 1\nLOOKUP_TABLE default\n").unwrap();
+    assert_eq!(before, read("frame.vtk"));
+    let steps: Vec<usize> = steps.lines().map(|step| step.parse().unwrap()).collect();
+    for (step, found) in found["steps"].as_array().unwrap().iter().enumerate() {
+        assert_eq!(steps[usize::try_from(found["edge"].as_u64().unwrap()).unwrap()], step + 1);
+    }
+}
+
+/// Numbers of nodes need not follow each other.
+#[test]
+fn numbers_of_nodes_may_have_gaps() {
+    let folder = tempfile::tempdir().unwrap();
+    let four = data("conmech/four-frame.json");
+    let mut frame: Value = serde_json::from_slice(&std::fs::read(&four).unwrap()).unwrap();
+    let other = |number: &mut Value| *number = json!(number.as_u64().unwrap() * 7 + 3);
+    for node in frame["nodes"].as_array_mut().unwrap() {
+        other(&mut node["node_ind"]);
+    }
+    for element in frame["elements"].as_array_mut().unwrap() {
+        element["end_node_inds"].as_array_mut().unwrap().iter_mut().for_each(other);
+    }
+    for support in frame["supports"].as_array_mut().unwrap() {
+        other(&mut support["node_ind"]);
+    }
+    std::fs::write(folder.path().join("gaps.json"), frame.to_string()).unwrap();
+    let sag = |file: &str| {
+        let found = run_in(folder.path(), &["frame", file, "--json"], b"").ended(0).json();
+        found["static"]["max_displacement_mm"].as_f64().unwrap()
+    };
+    assert!((sag("gaps.json") / sag(&four) - 1.0).abs() < 1e-12);
+    // PyNite 3.2.0.
+    assert!((sag("gaps.json") / 1.0669e-5 - 1.0).abs() < 1e-4);
+}
+
 /// A vertex as a table has it: where it is, how far it moves, and how far it turns.
 type Node = [f64; 9];
 

@@ -215,6 +215,17 @@ pub fn check_design(design: &Design) -> Vec<Diagnostic> {
     found
 }
 
+/// Edges of such a diameter that run through each other where no vertex joins them, which nothing can be built of. `tolerance`: up to
+/// this far apart vertices are taken for one.
+#[must_use]
+pub fn check_crossings(wireframe: &Wireframe, diameter: Length, tolerance: Length) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    let design = Design { wireframe, components: &[], weld_tolerance: tolerance, diameter };
+    edges_meet::check(&design, &mut found);
+    found.retain(Diagnostic::is_error);
+    found
+}
+
 /// Everything worth saying about a wire on a machine, in the order of the checks.
 #[must_use]
 pub fn check_wire(wire: &WireStages) -> Vec<Diagnostic> {

@@ -1,18 +1,24 @@
 //! A frame whose joints are closed: how accurate it is, what its struts carry then, and what it takes.
 
-use nalgebra::{Point3, Vector3};
+use std::path::{Path, PathBuf};
+
+use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::accuracy::{Closing, Resources, Surface};
+use wirebend_core::accuracy::{Closed, Closing, Draw, Prepared, Resources, Surface};
 use wirebend_core::simulate::ErrorModel;
+use wirebend_error::InputName;
+use wirebend_files::write::frame::{ClosedResult, ClosedStrut, ResultNode, closed_vtk};
 
 use super::figures::ClosingFigures;
 use super::runs::{Figures, Runs};
 use super::shapes::{ClosedShapes, made_lines};
 use super::structure::Structure;
 use super::wires::Wires;
+use super::within;
 use crate::choices::PlanChoices;
 use crate::design::{Input, Opened};
+use crate::output::{Output, file_name};
 use crate::report::NoteReport;
 use crate::simulate::noise_model;
 use crate::{Installation, PlanningError, Progress};
@@ -51,6 +57,8 @@ pub struct ClosingChoice {
     /// The faces that are to be flat: a JSON list of lists of vertices. Absent, all vertices count, after the motion of the whole that
     /// fits them best.
     pub faces: Option<Input>,
+    /// Where the first drawn wire goes once its joints are closed, as a VTK file.
+    pub vtk: Option<Output>,
 }
 
 /// A closed frame: over drawn wires roots of mean squares, or those that are expected of all.
@@ -96,23 +104,37 @@ pub(super) struct JointsClosed {
     pub resources: Option<ResourcesReport>,
     /// Of the first drawn wire, where it is to be drawn.
     pub shapes: Option<ClosedShapes>,
+    /// Those that were written.
+    pub files: Vec<PathBuf>,
     /// What the wires are of.
     pub material: String,
     pub notes: Vec<NoteReport>,
 }
 
 impl Installation {
-    /// Closes the joints of the wires that a design is planned as, of the wire that they are planned with. `drawn`: the structure on
-    /// which the first drawn wire is shown.
+    /// Closes the joints of the wires that a design is planned as, of the wire that they are planned with. The nodes of the structure are
+    /// the vertices of the design. `drawn`: whether the first drawn wire is shown.
     pub(super) fn close_joints(
         &self,
         opened: Opened,
         choices: &PlanChoices,
         choice: &ClosingChoice,
-        drawn: Option<&Structure>,
+        structure: &Structure,
+        drawn: bool,
         progress: &dyn Progress,
     ) -> Result<JointsClosed, PlanningError> {
         Runs::check(choice.runs)?;
+        if let Some(output) = &choice.vtk {
+            output.check()?;
+            within(
+                InputName::Runs,
+                choice.runs.into(),
+                1,
+                u64::from(u32::MAX),
+                "at least 1: the file shows the first wire that is drawn",
+            )?;
+        }
+        let title = file_name(Path::new(&opened.name));
         let errors = noise_model(self, &choice.errors)?;
         let wires = self.wires_to_close(opened, choices, choice.faces.as_ref(), progress)?;
         progress.stage("closing joints");
@@ -132,10 +154,10 @@ impl Installation {
             };
             (Figures::root_mean_square(&figures).into(), Some(of_runs))
         };
-        let shapes = match drawn.filter(|_| choice.runs > 0) {
-            Some(structure) => Some(closed_shapes(structure, &wires, &errors, closing, choice.seed)?),
-            None => None,
-        };
+        let first = FirstWire { structure, wires: &wires, errors: &errors, closing, seed: choice.seed };
+        let shapes = if drawn && choice.runs > 0 { Some(first.shapes()?) } else { None };
+        let vtk = choice.vtk.as_ref().map(|output| output.save(closed_vtk(&first.result(title)?).as_bytes()));
+        let files = vtk.transpose()?.into_iter().collect();
         let material = &wires.material;
         let used = Resources { wire_g: material.wire.mass_g(wires.length), joints_g: wires.joints_g };
         let energy_kj = material.energy_kj_per_g.map(|energy| used.energy_kj(energy));
@@ -153,42 +175,83 @@ impl Installation {
                 time_min: energy_kj.map(Resources::time_min),
             }),
             shapes,
+            files,
             material: material.id.clone(),
             notes: wires.notes,
         })
     }
 }
 
-/// The first drawn wire before and after its joints are closed. The nodes of the structure are the vertices of the closing model.
-fn closed_shapes(
-    structure: &Structure,
-    wires: &Wires,
-    errors: &ErrorModel,
+/// The first drawn wire. The nodes of the structure are the vertices of the closing model.
+struct FirstWire<'a> {
+    structure: &'a Structure,
+    wires: &'a Wires,
+    errors: &'a ErrorModel,
     closing: Closing,
     seed: u64,
-) -> Result<ClosedShapes, PlanningError> {
-    let draw = wires.model.draw(errors, seed, 0).map_err(|error| wires.failed(error))?;
-    let prepared = wires.model.bowed(&draw).map_err(|error| wires.failed(error))?;
-    let model = structure.assembly.model();
-    let points: &[Point3<f64>] = &model.nodes;
-    let mut used: Vec<usize> = model.members.iter().flat_map(|member| [member.a.0, member.b.0]).collect();
-    used.sort_unstable();
-    used.dedup();
-    let closed = prepared.close(closing, &draw);
-    let moved = Surface::whole(points, &used).remainder(&closed.displacements);
-    let vertex = |node: usize| structure.vertices.get(node).map_or(0, |id| id.0);
-    let (at, max_closed_mm) = moved
-        .iter()
-        .map(Vector3::norm)
-        .enumerate()
-        .fold((0, 0.0), |most, one| if one.1 > most.1 { one } else { most });
-    let (made, (made_at, max_made_mm)) = made_lines(points, &prepared.made(&draw));
-    Ok(ClosedShapes {
-        made,
-        closed: structure.straight(&moved),
-        max_closed_mm,
-        at_vertex: vertex(at),
-        max_made_mm,
-        made_at_vertex: vertex(made_at),
-    })
+}
+
+impl FirstWire<'_> {
+    fn draw(&self) -> Result<Draw, PlanningError> {
+        self.wires.model.draw(self.errors, self.seed, 0).map_err(|error| self.wires.failed(error))
+    }
+
+    fn prepared(&self, draw: &Draw) -> Result<Prepared<'_>, PlanningError> {
+        self.wires.model.bowed(draw).map_err(|error| self.wires.failed(error))
+    }
+
+    /// How far vertices are off, after the motion of the whole that fits the drawing best.
+    fn moved(&self, closed: &Closed) -> Vec<Vector3<f64>> {
+        let model = self.structure.assembly.model();
+        let mut used: Vec<usize> = model.members.iter().flat_map(|member| [member.a.0, member.b.0]).collect();
+        used.sort_unstable();
+        used.dedup();
+        Surface::whole(&model.nodes, &used).remainder(&closed.displacements)
+    }
+
+    /// Before and after its joints are closed.
+    fn shapes(&self) -> Result<ClosedShapes, PlanningError> {
+        let draw = self.draw()?;
+        let prepared = self.prepared(&draw)?;
+        let moved = self.moved(&prepared.close(self.closing, &draw));
+        let structure = self.structure;
+        let vertex = |node: usize| structure.vertices.get(node).map_or(0, |id| id.0);
+        let (at, max_closed_mm) = moved
+            .iter()
+            .map(Vector3::norm)
+            .enumerate()
+            .fold((0, 0.0), |most, one| if one.1 > most.1 { one } else { most });
+        let points = &structure.assembly.model().nodes;
+        let (made, (made_at, max_made_mm)) = made_lines(points, &prepared.made(&draw));
+        Ok(ClosedShapes {
+            made,
+            closed: structure.straight(&moved),
+            max_closed_mm,
+            at_vertex: vertex(at),
+            max_made_mm,
+            made_at_vertex: vertex(made_at),
+        })
+    }
+
+    /// Closed, for programs that show it.
+    fn result(&self, title: String) -> Result<ClosedResult, PlanningError> {
+        let draw = self.draw()?;
+        let closed = self.prepared(&draw)?.close(self.closing, &draw);
+        let structure = self.structure;
+        let nodes = structure.vertices.iter().zip(&structure.assembly.model().nodes).zip(self.moved(&closed));
+        let nodes = nodes.map(|((&vertex, &position), displacement)| ResultNode {
+            vertex,
+            position,
+            displacement,
+            rotation: Vector3::zeros(),
+            support: false,
+        });
+        let carried = closed.axial.iter().zip(&closed.von_mises_squares);
+        let struts = self.wires.struts.iter().zip(carried).map(|(strut, (&axial_n, square))| ClosedStrut {
+            axial_n,
+            von_mises_rms_mpa: square.sqrt(),
+            ..*strut
+        });
+        Ok(ClosedResult { title, nodes: nodes.collect(), struts: struts.collect() })
+    }
 }

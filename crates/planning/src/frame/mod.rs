@@ -26,12 +26,12 @@ use std::time::Instant;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::checks::{Diagnostic, Fact, Location, Remedy, Severity};
+use wirebend_core::checks::{Diagnostic, Fact, Location, Remedy, Severity, check_crossings};
 use wirebend_error::InputName;
 use wirebend_files::read::NoteKind;
 
 use crate::choices::PlanChoices;
-use crate::design::DesignInput;
+use crate::design::{DesignInput, default_weld};
 use crate::report::{DiagnosticReport, NoteReport, SeverityName};
 use crate::{Installation, PlanningError, Progress};
 pub use closing::{ClosingChoice, ClosingName, ClosingReport, ClosingRuns, ResourcesReport};
@@ -41,6 +41,7 @@ pub(crate) use material::FrameMaterial;
 pub use modes::{BowChoice, BowedReport, ModeKindName, ModeReport};
 pub use report::{MemberReport, ReactionReport, StaticReport};
 pub use results::FrameFiles;
+pub(crate) use results::built_result;
 use results::{Loaded, Wanted};
 pub use shapes::{ClosedShapes, FrameShapes, MadeLine, StrutLine, StrutShape};
 use structure::Structure;
@@ -182,11 +183,12 @@ fn compute(
     }
     going_on(progress)?;
     progress.stage("solving");
+    found.extend(check_crossings(&opened.document.wireframe, material.wire.diameter, default_weld()));
     let load = loads::loads(&opened, &structure, request.gravity, request.loads.as_ref(), &request.forces)?;
     let solved = structure.statics(&opened, &material, &request.supports, &load, &mut found)?;
     timings.took("static");
     let loaded = Loaded { opened: &opened, structure: &structure, material: &material, load: &load };
-    let files = wanted.write(loaded, solved.as_ref(), &mut notes)?;
+    let mut files = wanted.write(loaded, solved.as_ref(), &mut notes)?;
     going_on(progress)?;
     progress.stage("looking for modes");
     let (modes, mode_shapes) = structure.modes(request.modes, request.pieces, drawn)?;
@@ -204,8 +206,7 @@ fn compute(
     going_on(progress)?;
     let closed = match &request.close {
         Some(choice) if !structure.edges.is_empty() => {
-            let closed =
-                app.close_joints(opened, &request.choices, choice, drawn.then_some(&structure), progress)?;
+            let closed = app.close_joints(opened, &request.choices, choice, &structure, drawn, progress)?;
             timings.took("closing");
             notes.extend(material.of_file.then(|| closed_with(&closed.material)));
             Some(closed)
@@ -216,6 +217,7 @@ fn compute(
     let diagnostics: Vec<DiagnosticReport> = found.iter().map(DiagnosticReport::from).collect();
     let closed = closed.unwrap_or_default();
     notes.extend(closed.notes);
+    files.extend(closed.files);
     let shapes = if drawn {
         FrameShapes {
             struts: structure.lines(),

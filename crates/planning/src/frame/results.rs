@@ -1,5 +1,6 @@
 //! Files of what a frame does, for programs that show it.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use nalgebra::{Point3, Vector3};
@@ -12,7 +13,9 @@ use wirebend_files::write::frame::{
 };
 use wirebend_frame::{Load, MemberId, Response};
 
+use super::FrameSupports;
 use super::conmech::{frame_text, joints_as_forces, loads_text, without_yield};
+use super::loads::loads;
 use super::material::FrameMaterial;
 use super::notes::about_edges;
 use super::report::StaticReport;
@@ -166,6 +169,25 @@ fn nothing_to_write() -> NoteReport {
         message: "no file of the loaded frame is written: it floats, or does not stand".to_owned(),
         remedies: Vec::new(),
     }
+}
+
+/// A design under its own weight, each strut with the step in which it is built; none where it does not stand.
+pub(crate) fn built_result(
+    opened: &Opened,
+    material: &FrameMaterial,
+    steps: &BTreeMap<EdgeId, usize>,
+) -> Result<Option<FrameResult>, PlanningError> {
+    let supports = FrameSupports::Design;
+    let structure = Structure::new(opened, material, &supports, &mut Vec::new())?;
+    let load = loads(opened, &structure, None, None, &[])?;
+    let solved = structure.statics(opened, material, &supports, &load, &mut Vec::new())?;
+    Ok(solved.map(|(report, response)| {
+        let mut result = result(&structure, &report, &response, &file_name(Path::new(&opened.name)));
+        for member in &mut result.members {
+            member.step = steps.get(&member.edge).copied();
+        }
+        result
+    }))
 }
 
 fn result(structure: &Structure, report: &StaticReport, response: &Response, title: &str) -> FrameResult {

@@ -5,6 +5,7 @@ use wirebend_core::bend::NominalProgram;
 use wirebend_core::simulate::scheduled_start;
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::VertexId;
+use wirebend_files::write::frame::ClosedStrut;
 
 use super::faces::{faces, surface};
 use super::material::FrameMaterial;
@@ -21,6 +22,8 @@ pub(super) struct Wires {
     pub material: FrameMaterial,
     pub model: ClosingModel,
     pub surface: Surface,
+    /// The struts of all wires in the order of the model; nothing is known of their forces.
+    pub struts: Vec<ClosedStrut>,
     /// Of all wires.
     pub length: Length,
     /// Of all wires.
@@ -47,12 +50,22 @@ impl Installation {
         let wireframe = &planned.opened.document.wireframe;
         let vertices: Vec<VertexId> = wireframe.vertices().map(|(id, _)| id).collect();
         let points: Vec<_> = wireframe.vertices().map(|(_, vertex)| vertex.position).collect();
-        let wires = planned.wires.iter().map(|wire| {
+        let mut struts = Vec::new();
+        let wires = (1..).zip(&planned.wires).map(|(number, wire)| {
             let (route, nominal, scheduled) =
                 (wire.route.as_ref()?, wire.nominal.as_ref()?, wire.scheduled.as_ref()?);
             let places = route.vertices().into_iter().filter_map(|id| vertices.binary_search(&id).ok());
+            let vertices: Vec<usize> = places.collect();
+            let ends = vertices.windows(2).zip(&route.traversals);
+            struts.extend(ends.map(|(ends, traversal)| ClosedStrut {
+                edge: traversal.edge,
+                wire: number,
+                ends: [ends[0], ends[1]],
+                axial_n: 0.0,
+                von_mises_rms_mpa: 0.0,
+            }));
             Some(FrameWire {
-                vertices: places.collect(),
+                vertices,
                 start: scheduled_start(wire.start, &scheduled.steps),
                 program: NominalProgram { steps: scheduled.steps.clone(), spans: nominal.spans.clone() },
             })
@@ -69,7 +82,7 @@ impl Installation {
         let notes = planned.opened.notes.into_iter().skip(before).collect();
         let length = wires.iter().map(|wire| wire.program.length()).sum();
         let bends = wires.iter().map(|wire| wire.program.bend_count()).sum();
-        Ok(Wires { material, model, surface, length, bends, joints_g, notes, name })
+        Ok(Wires { material, model, surface, struts, length, bends, joints_g, notes, name })
     }
 }
 

@@ -13,7 +13,6 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::checks::{Design, Diagnostic, check_design};
 use wirebend_core::plan::{PlanOptions, WirePlan, plan_wires};
-use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Component, VertexId};
 use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_files::document::{Job, JobContents, JobPause, JobStep, JobWire, ProfileSnapshot};
@@ -153,7 +152,7 @@ impl Installation {
 
         progress.stage("checking the design");
         let components = document.wireframe.components();
-        let weld_tolerance = Length::from_mm(crate::design::default_weld_mm()).unwrap_or_default();
+        let weld_tolerance = crate::design::default_weld();
         let mut design = check_design(&Design {
             wireframe: &document.wireframe,
             components: &components,

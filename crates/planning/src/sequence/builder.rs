@@ -15,7 +15,7 @@ use crate::{Installation, PlanningError};
 /// A strut builder with what it builds.
 pub(super) struct BuilderSetup {
     pub machine: String,
-    pub material: String,
+    pub material: FrameMaterial,
     pub builder: StrutBuilder,
     pub section: Section,
     /// Half section of the head from its tip: z and radius, mm.
@@ -40,7 +40,7 @@ impl BuilderSetup {
         let builder = builder(&request.machine, &figures, &material, request.epsilon_mm)?;
         let section = *material.section();
         let outline = figures.head.iter().map(|point| [point.z_mm, point.r_mm]).collect();
-        Ok(Self { machine: request.machine.clone(), material: material.id, builder, section, outline })
+        Ok(Self { machine: request.machine.clone(), material, builder, section, outline })
     }
 }
 

@@ -13,17 +13,18 @@ use std::time::{Duration, Instant};
 use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::Deserialize;
-use wirebend_core::checks::Diagnostic;
+use wirebend_core::checks::{Diagnostic, check_crossings};
 use wirebend_core::sequence::{
     self, GivenStep, Groups, LayerOptions, Outcome, Progress as SearchProgress, SearchOptions, Structure,
     Task, Weight,
 };
+use wirebend_core::units::Length;
 use wirebend_core::wireframe::EdgeId;
 use wirebend_error::InputName;
 use wirebend_frame::STANDARD_GRAVITY;
 
 use crate::choices::PlanChoices;
-use crate::design::{DesignInput, Input, Opened};
+use crate::design::{DesignInput, Input, Opened, default_weld};
 use crate::frame::FrameSupports;
 use crate::{Installation, Output, PlanningError, Progress};
 use builder::BuilderSetup;
@@ -134,8 +135,13 @@ fn run(
     let mut drawing = Drawing::new(&setup);
     let structure = match Structure::new(&opened.document.wireframe) {
         Ok(structure) => structure,
-        Err(error) => return Ok((answer.refused(&findings::no_structure(&opened, &error)), drawing)),
+        Err(error) => return Ok((answer.refused(&[findings::no_structure(&opened, &error)]), drawing)),
     };
+    let diameter = Length::from_mm(2.0 * setup.section.radius).unwrap_or_default();
+    let crossings = check_crossings(&opened.document.wireframe, diameter, default_weld());
+    if !crossings.is_empty() {
+        return Ok((answer.refused(&crossings), drawing));
+    }
     let groups = groups(&opened, &structure, request.group_by)?;
     let weight = Weight { section: setup.section, gravity: Vector3::new(0.0, 0.0, -STANDARD_GRAVITY) };
     let task = Task { structure: &structure, groups: &groups, builder: &setup.builder, weight: &weight };
@@ -192,7 +198,7 @@ fn run(
     answer.took("check", since);
     let mut response = answer.found(&task, &outcome, refused);
     if let Some(output) = request.output.as_ref().filter(|_| response.feasible) {
-        let text = write::text(request.format, &response, &task, &outcome, &opened.document.wireframe)?;
+        let text = write::text(request.format, &response, &task, &outcome, &opened, &setup.material)?;
         response.files.push(output.save(text.as_bytes())?);
     }
     drawing.moves(&structure, &response, Some(&outcome));

@@ -186,7 +186,7 @@ impl Answer {
     pub fn new(opened: &Opened, setup: &BuilderSetup) -> Self {
         let response = SequenceResponse {
             machine: setup.machine.clone(),
-            material: setup.material.clone(),
+            material: setup.material.id.clone(),
             steps: Vec::new(),
             max_displacement_mm: None,
             epsilon_mm: setup.builder.max_sag.mm(),
@@ -221,8 +221,8 @@ impl Answer {
     }
 
     /// A design that is no frame.
-    pub fn refused(mut self, diagnostic: &Diagnostic) -> SequenceResponse {
-        self.response.diagnostics.push(DiagnosticReport::from(diagnostic));
+    pub fn refused(mut self, diagnostics: &[Diagnostic]) -> SequenceResponse {
+        self.response.diagnostics.extend(diagnostics.iter().map(DiagnosticReport::from));
         self.response
     }
 

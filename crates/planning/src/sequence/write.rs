@@ -5,13 +5,14 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use wirebend_core::sequence::{Outcome, Step, StepKind, Task};
-use wirebend_core::wireframe::Wireframe;
 use wirebend_error::InputName;
 use wirebend_files::read::frame::{SequenceFile, SequenceStep, StrutKind};
-use wirebend_files::write::frame::{BuiltMember, assembly_instances, framefab_sequence};
+use wirebend_files::write::frame::{BuiltMember, assembly_instances, framefab_sequence, vtk};
 
 use super::report::SequenceResponse;
 use crate::PlanningError;
+use crate::design::Opened;
+use crate::frame::{FrameMaterial, built_result};
 
 /// What a sequence is written as.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
@@ -24,6 +25,8 @@ pub enum SequenceFormat {
     Framefab,
     /// Assembly instances, elements in the order of building; `layer_id` is the layer, or without layers the step.
     AssemblyInstances,
+    /// The frame under its own weight with the step of each strut, for programs that show VTK files.
+    Vtk,
 }
 
 pub(super) fn text(
@@ -31,7 +34,8 @@ pub(super) fn text(
     response: &SequenceResponse,
     task: &Task<'_>,
     outcome: &Outcome,
-    wireframe: &Wireframe,
+    opened: &Opened,
+    material: &FrameMaterial,
 ) -> Result<String, PlanningError> {
     Ok(match format {
         SequenceFormat::Wirebend => {
@@ -46,7 +50,13 @@ pub(super) fn text(
         }
         SequenceFormat::AssemblyInstances => {
             let built = built(response);
-            assembly_instances(wireframe, &built, &BTreeMap::new(), None, None)
+            assembly_instances(&opened.document.wireframe, &built, &BTreeMap::new(), None, None)
+        }
+        SequenceFormat::Vtk => {
+            let steps = (1..).zip(&outcome.steps).flat_map(|(number, step)| {
+                step.struts.iter().map(move |&strut| (task.structure.struts()[strut].edge, number))
+            });
+            vtk(&built_result(opened, material, &steps.collect())?.unwrap_or_default())
         }
     })
 }

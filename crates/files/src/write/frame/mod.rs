@@ -15,7 +15,7 @@ pub use conmech::{conmech_frame, conmech_loads};
 pub use csv::{members_csv, nodes_csv};
 pub use glb::{DeformedStrut, deformed_glb};
 pub use sequence::framefab_sequence;
-pub use vtk::vtk;
+pub use vtk::{closed_vtk, vtk};
 
 /// A frame under load: mm, N, `MPa`, radian.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -54,4 +54,28 @@ pub struct ResultMember {
     pub buckling_ratio: f64,
     /// The step in which it is built, from 1; none where there is no order.
     pub step: Option<usize>,
+}
+
+/// Wires whose joints are closed: mm, N, `MPa`.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ClosedResult {
+    /// What it is called; one line.
+    pub title: String,
+    /// Where they are drawn, and how far they are off once joints are closed.
+    pub nodes: Vec<ResultNode>,
+    /// Of all wires, in the order in which each runs.
+    pub struts: Vec<ClosedStrut>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ClosedStrut {
+    pub edge: EdgeId,
+    /// Which wire, from 1.
+    pub wire: usize,
+    /// Its nodes, as their places in the list.
+    pub ends: [usize; 2],
+    /// Along its chord; tension is positive.
+    pub axial_n: f64,
+    /// Root of the mean square over its surface.
+    pub von_mises_rms_mpa: f64,
 }

@@ -11,8 +11,9 @@ use wirebend_files::read::frame::{
 };
 use wirebend_files::read::{Imported, ReadOptions, read};
 use wirebend_files::write::frame::{
-    BuiltMember, DeformedStrut, FrameResult, ResultMember, ResultNode, assembly_instances, conmech_frame,
-    conmech_loads, deformed_glb, framefab_sequence, members_csv, nodes_csv, vtk,
+    BuiltMember, ClosedResult, ClosedStrut, DeformedStrut, FrameResult, ResultMember, ResultNode,
+    assembly_instances, closed_vtk, conmech_frame, conmech_loads, deformed_glb, framefab_sequence,
+    members_csv, nodes_csv, vtk,
 };
 
 use crate::formats::{data, mm};
@@ -67,6 +68,26 @@ fn a_vtk_file_has_the_sections_that_its_format_asks_for() {
     unknown.members[0].von_mises_mpa = None;
     assert!(!vtk(&unknown).contains("von_mises"), "a stress that is not known is no zero");
     assert!(vtk(&FrameResult::default()).starts_with("# vtk DataFile Version 3.0\nframe\nASCII\n"));
+}
+
+/// A strut that is walked along twice has a line for each time.
+#[test]
+fn a_vtk_file_of_closed_joints_has_each_strut_of_the_wire() {
+    let strut =
+        |axial_n, ends| ClosedStrut { edge: EdgeId(9), wire: 2, ends, axial_n, von_mises_rms_mpa: 0.5 };
+    let closed = ClosedResult {
+        title: "closed".into(),
+        nodes: cantilever().nodes,
+        struts: vec![strut(-3.0, [0, 1]), strut(4.0, [1, 0])],
+    };
+    let expected = "CELLS 2 6\n2 0 1\n2 1 0\nCELL_TYPES 2\n3\n3\nPOINT_DATA 2\nVECTORS displacement_mm double\n0 0 0\n0 0 -2\n";
+    let text = closed_vtk(&closed);
+    assert!(text.contains(expected), "{text}");
+    let figures = "CELL_DATA 2\nSCALARS edge int 1\nLOOKUP_TABLE default\n9\n9\n\
+        SCALARS wire int 1\nLOOKUP_TABLE default\n2\n2\n\
+        SCALARS axial_n double 1\nLOOKUP_TABLE default\n-3\n4\n\
+        SCALARS von_mises_rms_mpa double 1\nLOOKUP_TABLE default\n0.5\n0.5\n";
+    assert!(text.ends_with(figures), "{text}");
 }
 
 #[test]
