@@ -5,5 +5,6 @@ mod directions;
 mod found;
 mod frames;
 mod held;
+mod layers;
 mod refused;
 mod small;
