@@ -22,6 +22,7 @@ fn ours_of(directions: &HeadDirections, published: [f64; 3]) -> usize {
 }
 
 /// How many of the published directions are free, and how many of ours, with the motion from end to end or tested at its ends alone.
+/// Of each published step some are.
 fn counted(steps: &[PublishedStep], ends_only: bool) -> [usize; 2] {
     let (head, directions) = (Head::new(&HEAD).unwrap(), directions());
     let [mut published, mut ours] = [0; 2];
@@ -38,8 +39,10 @@ fn counted(steps: &[PublishedStep], ends_only: bool) -> [usize; 2] {
             }
         }
         ours += free.len();
-        published +=
+        let of_step =
             step.directions.iter().filter(|given| free.contains(ours_of(&directions, **given))).count();
+        assert!(of_step > 0, "step {k} is left without a direction");
+        published += of_step;
     }
     [published, ours]
 }
