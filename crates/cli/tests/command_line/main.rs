@@ -18,6 +18,7 @@ mod profiles;
 mod programs;
 mod results;
 mod sequences;
+mod sequences_confirmed;
 mod several_wires;
 mod simulations;
 mod statuses;

@@ -1,5 +1,7 @@
 //! What acts on the open design as a frame, what is written of it, and what is asked of trusses and wires besides.
 
+use wirebend_tests_brute::{Step, Task};
+
 use super::*;
 
 fn number(value: &Value) -> f64 {
@@ -161,6 +163,10 @@ fn wires_are_placed_as_a_whole() {
     let found = window.ask("sequence", asked.clone());
     let steps = found["sequence"]["steps"].as_array().unwrap();
     assert_eq!(steps.len(), 2, "{found}");
+    let saved = window.home.path().join("wires.wirebend");
+    window.ask("save", json!({"path": saved}));
+    let task = Task::framefab(&serde_json::from_slice(&std::fs::read(saved).unwrap()).unwrap());
+    assert_eq!(task.faults(&Step::printed(&found["sequence"])), []);
     for (step, head) in steps.iter().zip(found["moves"].as_array().unwrap()) {
         assert_eq!(step["edges"].as_array().unwrap().len(), 2);
         assert_eq!(head["from_mm"], head["to_mm"], "the head stands where it fastens a wire");

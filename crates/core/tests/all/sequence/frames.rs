@@ -1,7 +1,5 @@
 //! Frames that others built, and the head and the material with which they did.
 
-use std::path::PathBuf;
-
 use nalgebra::{Point3, Vector3};
 use serde_json::Value;
 use wirebend_collide::Head;
@@ -11,7 +9,10 @@ use wirebend_core::wireframe::{Vertex, VertexId, Wireframe};
 use wirebend_frame::{Material, Section};
 
 fn data(name: &str) -> String {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../files/tests/data").join(name);
+    // Benchmarks take this file, too.
+    let inside = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folders = inside.ancestors().map(|folder| folder.join("crates/files/tests/data"));
+    let path = folders.into_iter().find(|folder| folder.is_dir()).unwrap().join(name);
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
@@ -107,4 +108,18 @@ pub fn abs() -> Weight {
 pub fn both() -> [(&'static str, Structure); 2] {
     [("bunny", bunny()), ("C_shape", assembly("C_shape"))]
         .map(|(name, frame)| (name, Structure::new(&frame).unwrap()))
+}
+
+/// A frame of points and struts between them. What is at height 0 is a support.
+pub fn frame(points: &[[f64; 3]], edges: &[[u32; 2]]) -> Structure {
+    let mut made = Wireframe::new();
+    for point in points {
+        let mut vertex = Vertex::at(Point3::from(*point));
+        vertex.support = point[2] == 0.0;
+        made.add_vertex(vertex).unwrap();
+    }
+    for [a, b] in edges {
+        made.add_edge(VertexId(*a), VertexId(*b)).unwrap();
+    }
+    Structure::new(&made).unwrap()
 }

@@ -2,17 +2,16 @@
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
-use std::ops::ControlFlow;
 
 use nalgebra::Point3;
 use wirebend_core::sequence::{
-    GivenStep, Groups, ObstacleRule, Outcome, SearchOptions, Structure, StrutBuilder, Task, Violation, check,
-    search, stiffest_order,
+    GivenStep, Groups, ObstacleRule, Outcome, Structure, StrutBuilder, Task, Violation, check, stiffest_order,
 };
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Joint, JointKind, Vertex, VertexId, Wireframe};
 
 use super::brute;
+use super::confirm::{self, confirmed};
 use super::frames::{abs, builder, bunny};
 
 type Fixed = BTreeMap<VertexId, [bool; 6]>;
@@ -52,22 +51,16 @@ fn held(wireframe: &Wireframe, fixed: &Fixed) -> Structure {
 }
 
 fn searched(structure: &Structure, builder: &StrutBuilder) -> Outcome {
-    let (weight, groups) = (abs(), Groups::single(structure));
-    let task = Task { structure, groups: &groups, builder, weight: &weight };
-    search(&task, &SearchOptions::default(), &mut |_| ControlFlow::Continue(())).unwrap()
+    confirm::searched(structure, &Groups::single(structure), builder)
 }
 
 /// The sags that the search, the check and brute force find after each step are the same, and nothing is wrong by either of the latter.
 fn agreed(structure: &Structure, builder: &StrutBuilder, outcome: &Outcome) -> Vec<f64> {
     let (weight, groups) = (abs(), Groups::single(structure));
     let task = Task { structure, groups: &groups, builder, weight: &weight };
-    let given: Vec<GivenStep> =
-        outcome.steps.iter().map(|step| GivenStep::of(step, structure, builder)).collect();
-    let checked = check(&task, &given);
-    assert_eq!(checked.violations, []);
-    assert_eq!(brute::faults(&task, &given), [""; 0]);
-    let sags = brute::sags(&task, &given);
-    for ((brute, step), checked) in sags.iter().zip(&outcome.steps).zip(&checked.sags_mm) {
+    let given = confirmed(&task, outcome);
+    let sags = brute::of_task(&task).sags(&brute::of_steps(&given));
+    for ((brute, step), checked) in sags.iter().zip(&outcome.steps).zip(&check(&task, &given).sags_mm) {
         assert!((step.max_sag_mm - brute).abs() <= 1e-9 * brute, "{} {brute}", step.max_sag_mm);
         assert!((checked.unwrap() - brute).abs() <= 1e-9 * brute, "{checked:?} {brute}");
     }
@@ -80,7 +73,7 @@ fn sags_of(structure: &Structure, outcome: &Outcome) -> Vec<f64> {
     let task = Task { structure, groups: &groups, builder: &builder, weight: &weight };
     let given: Vec<GivenStep> =
         outcome.steps.iter().map(|step| GivenStep::of(step, structure, &builder)).collect();
-    brute::sags(&task, &given)
+    brute::of_task(&task).sags(&brute::of_steps(&given))
 }
 
 /// A pillar with an arm, by the textbook: what a joint weighs counts from the strut that reaches it.

@@ -1,6 +1,7 @@
 //! The order in which struts are built, against what others published and what brute force finds.
 
 mod brute;
+mod confirm;
 mod directions;
 mod found;
 mod frames;

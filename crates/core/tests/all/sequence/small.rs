@@ -4,38 +4,14 @@ use std::ops::ControlFlow;
 
 use nalgebra::{Point3, Vector3};
 use wirebend_core::sequence::{
-    GivenJoint, GivenStep, Groups, ObstacleRule, Outcome, SearchOptions, StepKind, Structure, StrutBuilder,
-    Task, Violation, check, search, search_by_paper,
+    GivenJoint, GivenStep, Groups, ObstacleRule, SearchOptions, StepKind, Structure, StrutBuilder, Task,
+    Violation, check, search, search_by_paper,
 };
 use wirebend_core::units::Length;
-use wirebend_core::wireframe::{EdgeId, Vertex, VertexId, Wireframe};
+use wirebend_core::wireframe::{EdgeId, VertexId};
 
-use super::frames::{abs, builder};
-
-fn frame(points: &[[f64; 3]], edges: &[[u32; 2]]) -> Structure {
-    let mut made = Wireframe::new();
-    for point in points {
-        let mut vertex = Vertex::at(Point3::from(*point));
-        vertex.support = point[2] == 0.0;
-        made.add_vertex(vertex).unwrap();
-    }
-    for [a, b] in edges {
-        made.add_edge(VertexId(*a), VertexId(*b)).unwrap();
-    }
-    Structure::new(&made).unwrap()
-}
-
-fn searched(structure: &Structure, groups: &Groups, builder: &StrutBuilder) -> Outcome {
-    let weight = abs();
-    let task = Task { structure, groups, builder, weight: &weight };
-    let outcome = search(&task, &SearchOptions::default(), &mut |_| ControlFlow::Continue(())).unwrap();
-    let given: Vec<GivenStep> =
-        outcome.steps.iter().map(|step| GivenStep::of(step, structure, builder)).collect();
-    if outcome.is_found() {
-        assert_eq!(check(&task, &given).violations, []);
-    }
-    outcome
-}
+use super::confirm::searched;
+use super::frames::{abs, builder, frame};
 
 /// Each leg alone sags by millimetres, `q L⁴/8EI` as a beam; leaning on each other they do not. So whichever is first, none can be.
 #[test]
