@@ -225,6 +225,7 @@ bench: check-tools check-python ## figures of this machine, ours and the peer's 
 	cargo run --quiet --release --package wirebend-benches --bin joins -- $(PEERS)/bin/python
 	cargo run --quiet --release --package wirebend-benches --bin contacts -- $(PEERS)/bin/python
 	cargo run --quiet --release --package wirebend-benches --bin frames -- $(PEERS)/bin/python
+	cargo run --quiet --release --package wirebend-benches --bin sequences -- $(PEERS)/bin/python
 	cargo run --quiet --release --package wirebend-benches --bin scatter -- $(PEERS)/bin/python
 	cargo run --quiet --release --package wirebend-benches --bin searches
 	$(MAKE) --no-print-directory bench-window

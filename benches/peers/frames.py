@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Frames under their own weight and their modes, by others: peers of `make bench`.
 
-`solve PEER FILE` reads a frame and prints one JSON line: how long the peer takes to build its model and to solve it, medians, and the
+`prefixes PEER FILE` solves a frame again and again while it is built, strut by strut in the order of its members from `first` on, and
+prints how long that takes and the largest displacement of each. `solve PEER FILE` reads a frame and prints one JSON line: how long the peer takes to build its model and to solve it, medians, and the
 largest displacement. `modes PEER FILE` prints how long it takes to find the lowest modes that bend something, and their frequencies.
 PyNite and pyconmech are programs for frames; `scipy` is the textbook's element put together with NumPy and solved by `spsolve`,
 `scipy-best` by `splu` with the ordering that suits symmetric matrices. `eigsh` is ARPACK, shift-invert with SciPy's own
@@ -33,6 +34,7 @@ class Frame:
         self.clamped = given["clamped"]
         self.e, self.g, self.density = given["e_mpa"], given["g_mpa"], given["density_t_mm3"]
         self.gravity, self.modes, self.shift_hz = given["gravity_mm_s2"], given["modes"], given["shift_hz"]
+        self.first = given["first"]
         radius = given["radius_mm"]
         self.area = numpy.pi * radius**2
         self.i = numpy.pi * radius**4 / 4
@@ -98,7 +100,8 @@ def assembled(frame, with_mass):
     moment = numpy.cross(spans / length[:, None], line) * (length**2 / 12)[:, None]
     load = numpy.zeros(size)
     numpy.add.at(load, places, numpy.hstack([force, moment, force, -moment]))
-    free = numpy.setdiff1d(numpy.arange(size), [6 * node + k for node in frame.clamped for k in range(6)])
+    used = (6 * numpy.unique(frame.members)[:, None] + numpy.arange(6)).ravel()
+    free = numpy.setdiff1d(used, [6 * node + k for node in frame.clamped for k in range(6)])
     return sparse(k), mass, load, free
 
 
@@ -149,8 +152,8 @@ def by_pynite(frame):
     return built - start, solved - built, largest(numpy.array(moved))
 
 
-def by_pyconmech(frame):
-    """It turns members along z wrongly, and so the whole model is turned, and its gravity."""
+def checker_of(frame):
+    """pyconmech turns members along z wrongly, and so the whole model is turned, and its gravity."""
     from pyconmech import StiffnessChecker
     from pyconmech.frame_analysis import CrossSec, Element, GravityLoad, LoadCase, Material, Model, Node, Support
 
@@ -158,7 +161,6 @@ def by_pyconmech(frame):
     angles = numpy.array([0.4, 0.7])
     (c1, c2), (s1, s2) = numpy.cos(angles), numpy.sin(angles)
     turn = numpy.array([[1, 0, 0], [0, c1, -s1], [0, s1, c1]]) @ numpy.array([[c2, 0, s2], [0, 1, 0], [-s2, 0, c2]])
-    start = time.perf_counter()
     metres = (frame.nodes @ turn.T / 1000).tolist()
     fixed = set(frame.clamped)
     nodes = [Node(point, k, k in fixed) for k, point in enumerate(metres)]
@@ -171,11 +173,41 @@ def by_pyconmech(frame):
     material = Material(frame.e * 1e3, frame.g * 1e3, 1.0, weight, elem_tags=[""])
     checker = StiffnessChecker(Model(nodes, elements, supports, [], [material], [section]))
     checker.set_loads(LoadCase(gravity_load=GravityLoad((turn @ [0, 0, -1]).tolist())))
+    return checker
+
+
+def moved_by(checker):
+    _, moved, _, _ = checker.get_solved_results()
+    return largest(numpy.array([u[:3] for u in moved.values()])) * 1000
+
+
+def by_pyconmech(frame):
+    start = time.perf_counter()
+    checker = checker_of(frame)
     built = time.perf_counter()
     checker.solve(eid_sanity_check=False)
     solved = time.perf_counter()
-    _, moved, _, _ = checker.get_solved_results()
-    return built - start, solved - built, largest(numpy.array([u[:3] for u in moved.values()])) * 1000
+    return built - start, solved - built, moved_by(checker)
+
+
+def prefixes_by_pyconmech(frame):
+    checker = checker_of(frame)
+    start = time.perf_counter()
+    most = []
+    for count in range(frame.first, len(frame.members) + 1):
+        checker.solve(exist_element_ids=list(range(count)), eid_sanity_check=False)
+        most.append(moved_by(checker))
+    return time.perf_counter() - start, most
+
+
+def prefixes_by_scipy(frame):
+    start = time.perf_counter()
+    most, members = [], frame.members
+    for count in range(frame.first, len(members) + 1):
+        frame.members = members[:count]
+        most.append(by_scipy(frame, True)[2])
+    frame.members = members
+    return time.perf_counter() - start, most
 
 
 def modes(frame, is_symmetric):
@@ -201,6 +233,14 @@ SOLVERS = {
 }
 
 
+PREFIXES = {"pyconmech": prefixes_by_pyconmech, "scipy": prefixes_by_scipy}
+
+
+def prefixes(frame, peer):
+    results = [PREFIXES[peer](frame) for _ in range(3)]
+    return {"ms": statistics.median(seconds for seconds, _ in results) * 1000, "max_mm": results[-1][1]}
+
+
 def solve(frame, peer):
     runs = 5 if len(frame.members) < 1000 else 3
     SOLVERS[peer](frame)
@@ -218,10 +258,15 @@ def main():
     vibrating = tasks.add_parser("modes", help="time SciPy on the modes of one frame")
     vibrating.add_argument("peer", choices=("eigsh", "eigsh-symmetric"))
     vibrating.add_argument("file")
+    building = tasks.add_parser("prefixes", help="time a peer on one frame while it is built")
+    building.add_argument("peer", choices=PREFIXES)
+    building.add_argument("file")
     given = parser.parse_args()
     frame = Frame(given.file)
     if given.task == "solve":
         print(json.dumps({"peer": given.peer, **solve(frame, given.peer)}))
+    elif given.task == "prefixes":
+        print(json.dumps({"peer": given.peer, **prefixes(frame, given.peer)}))
     else:
         print(json.dumps({"peer": given.peer, **modes(frame, given.peer == "eigsh-symmetric")}))
 

@@ -3,15 +3,19 @@
 
 #![allow(clippy::print_stdout, reason = "its output is the table")]
 
+#[allow(dead_code)] // the benchmark of sequences uses the rest
 mod models;
+mod peer;
+#[path = "../../../../crates/core/tests/all/accuracy/truss.rs"]
+#[allow(dead_code)] // the tests of accuracy use the rest
+#[allow(clippy::unwrap_used)] // a benchmark may stop at what cannot be
+mod truss;
 
 use std::path::Path;
-use std::process::Command;
 use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
-use nalgebra::Vector3;
-use serde_json::{Value, json};
+use peer::{GRAVITY, MODES, SHIFT_HZ, ask, written};
 use wirebend_frame::{Assembly, Flexibility, Load, MemberId, ModeKind, ModeSearch, Model, Pieces};
 
 /// The median of so many runs is taken; of large frames of so many.
@@ -21,12 +25,6 @@ const RUNS_OF_LARGE: usize = 5;
 const LARGE: usize = 1000;
 /// Ours and a peer's displacements and frequencies agree so well, as a share.
 const SAME: f64 = 1e-6;
-/// mm/s².
-const GRAVITY: Vector3<f64> = Vector3::new(0.0, 0.0, -9806.65);
-/// Where the search for modes begins, Hz.
-const SHIFT_HZ: f64 = 100.0;
-/// So many modes of each frame.
-const MODES: usize = 3;
 
 fn main() -> Result<()> {
     let python = std::env::args().nth(1).context("name the peers' Python")?;
@@ -63,7 +61,7 @@ fn solved(python: &str, folder: &Path, name: &str, model: &Model) -> Result<()> 
         model.members.len(),
         analysed + factored
     );
-    let file = written(folder, model)?;
+    let file = written(folder, model, 0)?;
     let peers: &[&str] =
         if is_large { &["scipy", "scipy-best"] } else { &["pyconmech", "pynite", "scipy", "scipy-best"] };
     for peer in peers {
@@ -135,7 +133,7 @@ fn vibrating(python: &str, folder: &Path, name: &str, cut: &Pieces) -> Result<()
         modes.iter().filter(|mode| mode.kind != ModeKind::Rigid).map(|mode| mode.frequency_hz).collect();
     let unknowns = 6 * cut.model.nodes.len();
     print!("{name}: {unknowns} unknowns, {:.3} Hz, {ours:.0} ms;", bending[0]);
-    let file = written(folder, &cut.model)?;
+    let file = written(folder, &cut.model, 0)?;
     for peer in ["eigsh", "eigsh-symmetric"] {
         let theirs = ask(python, &["modes", peer], &file)?;
         let ms = theirs["ms"].as_f64().context("no time")?;
@@ -147,37 +145,6 @@ fn vibrating(python: &str, folder: &Path, name: &str, cut: &Pieces) -> Result<()
     }
     println!();
     Ok(())
-}
-
-/// A frame as peers read it.
-fn written(folder: &Path, model: &Model) -> Result<std::path::PathBuf> {
-    let section = model.sections[0];
-    let nodes: Vec<[f64; 3]> = model.nodes.iter().map(|node| [node.x, node.y, node.z]).collect();
-    let members: Vec<[usize; 2]> = model.members.iter().map(|member| [member.a.0, member.b.0]).collect();
-    let supports: Vec<usize> = model.supports.iter().map(|support| support.node.0).collect();
-    let file = folder.join("frame.json");
-    let frame = json!({
-        "nodes_mm": nodes, "members": members, "clamped": supports, "radius_mm": section.radius, "e_mpa": section.e,
-        "g_mpa": section.g, "density_t_mm3": section.density, "gravity_mm_s2": -GRAVITY.z, "modes": MODES,
-        "shift_hz": SHIFT_HZ,
-    });
-    std::fs::write(&file, frame.to_string())?;
-    Ok(file)
-}
-
-/// What a peer prints, as JSON.
-fn ask(python: &str, task: &[&str], file: &Path) -> Result<Value> {
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("peers/frames.py");
-    // Ours has one core; so have theirs.
-    let done = Command::new(python)
-        .arg(script)
-        .args(task)
-        .arg(file)
-        .envs([("OPENBLAS_NUM_THREADS", "1"), ("OMP_NUM_THREADS", "1")])
-        .output()
-        .with_context(|| format!("{python} cannot be started"))?;
-    ensure!(done.status.success(), "{task:?}: {}", String::from_utf8_lossy(&done.stderr));
-    Ok(serde_json::from_slice(&done.stdout)?)
 }
 
 /// The median of so many runs, in milliseconds, and what the last gave.

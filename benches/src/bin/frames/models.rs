@@ -6,18 +6,12 @@ use anyhow::{Context, Result};
 use nalgebra::Point3;
 use wirebend_frame::{Material, Member, Model, NodeId, Pieces, Section, SectionId, Support};
 
+use super::truss::{DEPTH, Truss};
+
 /// FrameFab's ABS.
 const ABS: Material = Material { e: 3457.0, g: 1294.0, density: 1.21e-9, yield_strength: 40.0 };
-/// Bend-Forming's wire.
-const STEEL: Material =
-    Material { e: 200_000.0, g: 200_000.0 / 2.58, density: 7.8e-9, yield_strength: 1000.0 };
-/// The length of the struts of Bend-Forming's truss, mm, and its depth.
-const STRUT: f64 = 61.237_243_569_579_45;
-const DEPTH: f64 = 50.0;
-
 /// Frames on clamped feet.
 pub fn standing() -> Result<Vec<(&'static str, Model)>> {
-    let fertility = read("crates/frame/tests/data/fertility.txt")?;
     let on_feet = |rings| {
         let mut model = truss(rings);
         model.supports = (0..3).map(|node| Support::clamped(NodeId(node))).collect();
@@ -25,7 +19,7 @@ pub fn standing() -> Result<Vec<(&'static str, Model)>> {
     };
     Ok(vec![
         ("bunny", bunny()?),
-        ("fertility", fertility),
+        ("duck", duck()?),
         ("truss 5, 4 pieces", on_feet(5)),
         ("truss 10, 4 pieces", on_feet(10)),
     ])
@@ -34,6 +28,20 @@ pub fn standing() -> Result<Vec<(&'static str, Model)>> {
 /// FrameFab's bunny.
 pub fn bunny() -> Result<Model> {
     read("crates/files/tests/data/framefab/bunny0507_.pwf")
+}
+
+/// Frames that were printed in the air, of 765 and of 909 struts.
+pub fn fertility() -> Result<Model> {
+    read("crates/frame/tests/data/fertility.txt")
+}
+
+pub fn duck() -> Result<Model> {
+    read("crates/frame/tests/data/duck.txt")
+}
+
+/// A pedestrian bridge, of 6427 struts.
+pub fn bridge() -> Result<Model> {
+    read("crates/frame/tests/data/bridge.txt")
 }
 
 /// Vertices (`v`), struts (`l`), pillars to a foot (`p`), and nodes on the ground (`s`).
@@ -63,25 +71,7 @@ fn read(file: &str) -> Result<Model> {
     Ok(model)
 }
 
-/// Bend-Forming's tetrahedral truss of so many rings: two faces of triangles, each with the outline of a triangle of 3N + 1 struts
-/// without three corners of N, and struts between them.
-pub fn truss(rings: u32) -> Model {
-    let side = 3 * rings + 1;
-    let mut nodes = Vec::new();
-    for row in 0..=side {
-        for place in 0..=side - row {
-            if row.max(place).max(side - row - place) <= side - rings {
-                let (row, place, side) = (f64::from(row), f64::from(place), f64::from(side));
-                let x = (place + row / 2.0 - side / 2.0) * STRUT;
-                nodes.push(Point3::new(x, (row - side / 3.0) * STRUT * 0.75_f64.sqrt(), DEPTH / 2.0));
-            }
-        }
-    }
-    nodes.extend(nodes.clone().iter().map(|node| -node));
-    let mut members = Vec::new();
-    for b in 0..nodes.len() {
-        let near = (0..b).filter(|&a| ((nodes[a] - nodes[b]).norm() - STRUT).abs() < 1e-6 * STRUT);
-        members.extend(near.map(|a| Member::new(NodeId(a), NodeId(b), SectionId(0))));
-    }
-    Model { nodes, members, sections: vec![Section::round(0.9, &STEEL)], supports: Vec::new() }
+/// Bend-Forming's tetrahedral truss of so many rings along the walk of its authors: a strut that is walked along twice is two members.
+pub fn truss(rings: i32) -> Model {
+    Truss::new(rings, DEPTH).locked(&format!("ring-{rings}"))
 }

@@ -1,0 +1,92 @@
+//! Sequences and layers of frames that others have built.
+
+use std::ops::ControlFlow;
+
+use anyhow::{Result, ensure};
+use wirebend_core::sequence::{
+    GivenStep, Groups, LayerOptions, SearchOptions, Structure, Task, layers, search, search_by_paper,
+};
+use wirebend_core::wireframe::{Vertex, VertexId, Wireframe};
+use wirebend_frame::Model;
+
+use super::{brute, frames, models, timed};
+
+/// What is wanted, and what `FrameFab`'s authors needed, s.
+struct Aims {
+    search: f64,
+    /// With layers.
+    paper: Option<f64>,
+    layers: f64,
+    paper_layers: Option<f64>,
+}
+
+const SMALL: Aims = Aims { search: 0.7, paper: Some(38.0), layers: 0.05, paper_layers: Some(3.02) };
+const LARGE: Aims = Aims { search: 4.0, paper: None, layers: f64::INFINITY, paper_layers: None };
+
+pub fn measure() -> Result<()> {
+    let [(bunny, of_bunny), (c_shape, of_c_shape)] = frames::both();
+    one(bunny, &of_bunny, &SMALL)?;
+    one(
+        c_shape,
+        &of_c_shape,
+        &Aims { paper: Some(40.0), layers: f64::INFINITY, paper_layers: None, ..SMALL },
+    )?;
+    // The authors' own fertility has 316 nodes and 911 struts.
+    one("fertility", &structure(&models::fertility()?), &Aims { paper: Some(969.0), ..LARGE })?;
+    one("duck", &structure(&models::duck()?), &LARGE)
+}
+
+/// The same frame as a design whose edges are its members.
+pub fn structure(model: &Model) -> Structure {
+    let mut made = Wireframe::new();
+    for (node, at) in model.nodes.iter().enumerate() {
+        let support = model.supports.iter().any(|support| support.node.0 == node);
+        made.add_vertex(Vertex { support, ..Vertex::at(*at) }).unwrap();
+    }
+    let vertex = |node: wirebend_frame::NodeId| VertexId(u32::try_from(node.0).unwrap());
+    for member in &model.members {
+        made.add_edge(vertex(member.a), vertex(member.b)).unwrap();
+    }
+    Structure::new(&made).unwrap()
+}
+
+fn one(name: &str, structure: &Structure, aims: &Aims) -> Result<()> {
+    let (builder, weight, groups) = (frames::builder(), frames::abs(), Groups::single(structure));
+    let task = Task { structure, groups: &groups, builder: &builder, weight: &weight };
+    let goes_on = &mut |_: &_| ControlFlow::Continue(());
+    let (seconds, outcome) = timed(3, || Ok(search(&task, &SearchOptions::default(), goes_on)?))?;
+    let confirm = |outcome: &wirebend_core::sequence::Outcome| -> Result<()> {
+        ensure!(outcome.is_found(), "{name}: {:?}", outcome.obstacle);
+        let given: Vec<GivenStep> =
+            outcome.steps.iter().map(|step| GivenStep::of(step, structure, &builder)).collect();
+        let faults = brute::faults(&task, &given);
+        ensure!(faults.is_empty(), "{name}: {faults:?}");
+        Ok(())
+    };
+    confirm(&outcome)?;
+    print!(
+        "{name}, {} struts: a sequence in {seconds:.2} s (at most {} wanted)",
+        structure.struts().len(),
+        aims.search
+    );
+    if let Some(paper) = aims.paper {
+        print!(", the authors of FrameFab {paper} s, {:.0}x (50x wanted)", paper / seconds);
+    }
+    let (seconds, layer) = timed(3, || Ok(layers(&task, &[], &LayerOptions::default())?))?;
+    let count = layer.iter().max().map_or(0, |top| top + 1);
+    print!("; {count} layers in {:.0} ms", 1000.0 * seconds);
+    if aims.layers.is_finite() {
+        print!(" (at most {:.0} wanted)", 1000.0 * aims.layers);
+    }
+    if let Some(paper) = aims.paper_layers {
+        print!(", the authors {paper} s, {:.0}x", paper / seconds);
+    }
+    if structure.struts().len() < 500 {
+        let goes_on = &mut |_: &_| ControlFlow::Continue(());
+        let (seconds, outcome) = timed(3, || Ok(search_by_paper(&task, &layer, 1000, goes_on)?))?;
+        confirm(&outcome)?;
+        print!("; by their cost in {seconds:.2} s");
+    }
+    println!("; confirmed by brute force");
+    Ok(())
+}
