@@ -1,7 +1,8 @@
 //! In which directions the head can stand while a group is placed.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
+use std::ops::ControlFlow;
 
 use wirebend_collide::{DirectionSet, Passage, between_pieces};
 
@@ -26,6 +27,15 @@ struct Known {
     met: DirectionSet,
 }
 
+/// What is near the way of a head.
+#[derive(Debug, Default)]
+struct Near {
+    /// The struts that it could meet, nearest first: those block soonest.
+    struts: Vec<u32>,
+    /// What is known of each of them, as far down the list as somebody asked.
+    known: Vec<Known>,
+}
+
 /// A joint of a group, or the node from which a strut is drawn, and in which directions the head can stand there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Free {
@@ -38,16 +48,19 @@ pub(super) struct Free {
 /// How much deeper than allowed a strut may be in the head unnoticed, mm.
 const TOLERANCE_MM: f64 = 0.001;
 
-/// Asks collisions between the moving head and struts, each once.
+/// So many pairs are kept, a quarter of a gigabyte; beyond it all are forgotten and asked again.
+const MOST_PAIRS: usize = 4_000_000;
+
+/// Asks collisions between the moving head and struts, each once as long as it is kept.
 pub(super) struct FreeDirections<'a> {
     structure: &'a Structure,
     builder: &'a StrutBuilder,
     radius: Length,
     /// Directions for a strut drawn from its first end, from its second; into the open, and between nodes that are built.
     approach: Vec<[[DirectionSet; 2]; 2]>,
-    /// Struts that a head could meet, nearest first.
-    near: RefCell<HashMap<Carried, Vec<usize>>>,
-    known: RefCell<HashMap<(Carried, usize), Known>>,
+    near: RefCell<HashMap<Carried, Near>>,
+    /// Of all of these together, how many pairs are kept.
+    pairs: Cell<usize>,
 }
 
 impl<'a> FreeDirections<'a> {
@@ -63,7 +76,7 @@ impl<'a> FreeDirections<'a> {
             radius,
             approach: approach.collect(),
             near: RefCell::default(),
-            known: RefCell::default(),
+            pairs: Cell::default(),
         }
     }
 
@@ -121,7 +134,14 @@ impl<'a> FreeDirections<'a> {
     #[allow(clippy::cast_precision_loss)] // fewer than two hundred
     pub fn share_beside(&self, strut: usize, other: usize) -> f64 {
         let all = DirectionSet::first(self.builder.directions.all().len());
-        let met = self.met(Carried::Along(strut), other, all);
+        let mut met = DirectionSet::default();
+        self.each_near(Carried::Along(strut), |near, place, there| {
+            if there != other {
+                return ControlFlow::Continue(());
+            }
+            met = self.met(Carried::Along(strut), near, place, all);
+            ControlFlow::Break(())
+        });
         all.without(met).len() as f64 / all.len() as f64
     }
 
@@ -138,49 +158,74 @@ impl<'a> FreeDirections<'a> {
         allowed: DirectionSet,
         stands: &dyn Fn(usize) -> bool,
     ) -> Vec<(usize, usize)> {
-        let near = self.near(carried);
-        let blocked = near
-            .into_iter()
-            .filter(|&other| stands(other))
-            .map(|other| (other, self.met(carried, other, allowed).len()));
-        blocked.filter(|&(_, directions)| directions > 0).collect()
+        let mut blocked = Vec::new();
+        self.each_near(carried, |near, place, other| {
+            let directions = if stands(other) { self.met(carried, near, place, allowed).len() } else { 0 };
+            if directions > 0 {
+                blocked.push((other, directions));
+            }
+            ControlFlow::Continue(())
+        });
+        blocked
     }
 
     /// What is left of directions once all that stands is in the way.
     fn left(&self, carried: Carried, allowed: DirectionSet, stands: &dyn Fn(usize) -> bool) -> DirectionSet {
         let mut left = allowed;
-        for other in self.near(carried) {
+        self.each_near(carried, |near, place, other| {
             if left.is_empty() {
-                break;
+                return ControlFlow::Break(());
             }
             if stands(other) {
-                left = left.without(self.met(carried, other, left));
+                left = left.without(self.met(carried, near, place, left));
             }
-        }
+            ControlFlow::Continue(())
+        });
         left
     }
 
-    /// The directions of those asked in which another strut is in the way.
-    fn met(&self, carried: Carried, other: usize, asked: DirectionSet) -> DirectionSet {
-        let known = self.known.borrow().get(&(carried, other)).copied().unwrap_or_default();
-        let open = asked.without(known.asked);
-        if open.is_empty() {
-            return known.met.and(asked);
+    /// Goes through what is near, nearest first.
+    fn each_near(&self, carried: Carried, mut with: impl FnMut(&mut Near, usize, usize) -> ControlFlow<()>) {
+        let mut kept = self.near.borrow_mut();
+        if self.pairs.get() > MOST_PAIRS {
+            kept.clear();
+            self.pairs.set(0);
         }
-        let limit = if self.touches(carried, other) {
-            -self.builder.touch.mm()
-        } else {
-            self.builder.clearance.mm() + self.radius.mm()
-        };
-        let passage = Passage {
-            motion: self.way(carried),
-            piece: self.structure.ends(other),
-            limit,
-            tolerance: TOLERANCE_MM,
-        };
-        let met = known.met.or(self.builder.head.meets(&passage, self.builder.directions.all(), open));
-        self.known.borrow_mut().insert((carried, other), Known { asked: known.asked.or(open), met });
-        met.and(asked)
+        let near = kept.entry(carried).or_insert_with(|| self.within_reach(carried));
+        let before = near.known.len();
+        for place in 0..near.struts.len() {
+            let other = near.struts[place] as usize;
+            if with(near, place, other).is_break() {
+                break;
+            }
+        }
+        self.pairs.set(self.pairs.get() + near.known.len() - before);
+    }
+
+    /// The directions of those asked in which a strut that is near is in the way.
+    fn met(&self, carried: Carried, near: &mut Near, place: usize, asked: DirectionSet) -> DirectionSet {
+        if near.known.len() <= place {
+            near.known.resize(place + 1, Known::default());
+        }
+        let known = &mut near.known[place];
+        let open = asked.without(known.asked);
+        if !open.is_empty() {
+            let other = near.struts[place] as usize;
+            let limit = if self.touches(carried, other) {
+                -self.builder.touch.mm()
+            } else {
+                self.builder.clearance.mm() + self.radius.mm()
+            };
+            let passage = Passage {
+                motion: self.way(carried),
+                piece: self.structure.ends(other),
+                limit,
+                tolerance: TOLERANCE_MM,
+            };
+            known.met = known.met.or(self.builder.head.meets(&passage, self.builder.directions.all(), open));
+            known.asked = known.asked.or(open);
+        }
+        known.met.and(asked)
     }
 
     fn touches(&self, carried: Carried, other: usize) -> bool {
@@ -197,21 +242,17 @@ impl<'a> FreeDirections<'a> {
         }
     }
 
-    /// The struts that are within the reach of the head, nearest first: those block soonest.
-    fn near(&self, carried: Carried) -> Vec<usize> {
-        if let Some(near) = self.near.borrow().get(&carried) {
-            return near.clone();
-        }
+    /// The struts that are within the reach of the head.
+    fn within_reach(&self, carried: Carried) -> Near {
         let reach = self.builder.head.reach() + self.builder.clearance.mm() + self.radius.mm();
         let way = self.way(carried).map(|end| *end);
-        let mut near: Vec<(f64, usize)> = (0..self.structure.struts().len())
-            .filter(|&other| carried != Carried::Along(other))
-            .map(|other| (between_pieces(&way, &self.structure.ends(other).map(|end| *end)).0, other))
+        let mut near: Vec<(f64, u32)> = (0..)
+            .zip(0..self.structure.struts().len())
+            .filter(|&(_, other)| carried != Carried::Along(other))
+            .map(|(id, other)| (between_pieces(&way, &self.structure.ends(other).map(|end| *end)).0, id))
             .filter(|&(distance, _)| distance < reach)
             .collect();
         near.sort_by(|one, other| one.0.total_cmp(&other.0).then(one.1.cmp(&other.1)));
-        let near: Vec<usize> = near.into_iter().map(|(_, other)| other).collect();
-        self.near.borrow_mut().insert(carried, near.clone());
-        near
+        Near { struts: near.into_iter().map(|(_, other)| other).collect(), known: Vec::new() }
     }
 }
