@@ -70,10 +70,26 @@ fn solved(python: &str, folder: &Path, name: &str, model: &Model) -> Result<()> 
         let (build, solve) = (build.context("no time")?, solve.context("no time")?);
         let (most, ours) = (most.context("no displacement")?, response.max_displacement().1);
         ensure!((most / ours - 1.0).abs() < SAME, "{name}: {ours} mm, {peer} {most} mm");
-        print!(" {peer} {build:.1} + {solve:.1} ms, {:.0}x;", solve / factored);
+        print!(" {peer} {build:.1} + {solve:.1} ms, {:.0}x", solve / factored);
+        print!(", {:.0}x in all", (build + solve) / (analysed + factored));
+        match wanted(peer, model) {
+            Some(times) => print!(" ({times}x wanted);"),
+            None => print!(";"),
+        }
     }
     println!();
     Ok(())
+}
+
+/// How many times as long a peer is to take: to solve, and `SciPy`'s `spsolve` in all.
+fn wanted(peer: &str, model: &Model) -> Option<u32> {
+    match (peer, model.members.len()) {
+        ("pyconmech", ..500) => Some(50),
+        ("pyconmech", _) => Some(80),
+        ("pynite", ..500) => Some(200),
+        ("scipy", 1000..) => Some(5),
+        _ => None,
+    }
 }
 
 /// Every strut of a frame tried that can be added to half of it, and taken away from the whole.
@@ -142,6 +158,9 @@ fn vibrating(python: &str, folder: &Path, name: &str, cut: &Pieces) -> Result<()
             ensure!((theirs / ours - 1.0).abs() < SAME, "{name}: {ours} Hz, {peer} {theirs} Hz");
         }
         print!(" {peer} {ms:.0} ms, {:.1}x;", ms / ours);
+        if peer == "eigsh" {
+            print!(" (8x wanted, and 700 ms for 5 rings);");
+        }
     }
     println!();
     Ok(())

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 use wirebend_frame::{Material, Member, Model, NodeId, Pieces, Section, SectionId, Support};
 
 use super::truss::{DEPTH, Truss};
@@ -37,6 +37,28 @@ pub fn fertility() -> Result<Model> {
 
 pub fn duck() -> Result<Model> {
     read("crates/frame/tests/data/duck.txt")
+}
+
+/// Ducks in a row, apart from each other by 60 mm.
+pub fn ducks(count: u32) -> Result<Model> {
+    let one = duck()?;
+    let x = one.nodes.iter().map(|node| node.x);
+    let [low, high] = x.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
+    let mut all = Model { sections: one.sections.clone(), ..Model::default() };
+    for k in 0..count {
+        let first = all.nodes.len();
+        let there = |node: NodeId| NodeId(first + node.0);
+        let apart = Vector3::x() * (f64::from(k) * (high - low + 60.0));
+        all.nodes.extend(one.nodes.iter().map(|node| node + apart));
+        all.members.extend(one.members.iter().map(|member| Member {
+            a: there(member.a),
+            b: there(member.b),
+            ..*member
+        }));
+        all.supports
+            .extend(one.supports.iter().map(|support| Support { node: there(support.node), ..*support }));
+    }
+    Ok(all)
 }
 
 /// A pedestrian bridge, of 6427 struts.

@@ -37,6 +37,16 @@ fn the_bunny_of_framefab_is_built() {
     assert_eq!(layered, 179, "every strut is in one layer");
 }
 
+/// The authors' own sequence can be built, each step in one of its published directions; 137 of the 166 steps after its first strut
+/// share a vertex with the one before, which is their figure.
+#[test]
+fn the_published_sequence_of_the_bunny_is_checked() {
+    let file = data("framefab/bunny_result.json");
+    let found = sequence("framefab/bunny0507_.pwf", &["--check", &file]).ended(0).json();
+    assert_eq!((&found["feasible"], &found["sharing"]), (&json!(true), &json!(137)));
+    assert_eq!(found["steps"].as_array().unwrap().len(), 179);
+}
+
 /// The four struts hang on one pillar where it alone stands on the ground; the other goes down to where there is none.
 #[test]
 fn supports_of_the_command_line_are_the_ground() {

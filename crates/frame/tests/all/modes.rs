@@ -87,7 +87,8 @@ fn printed_frames_vibrate_as_other_programs_say() {
     assert_frequencies(&bending(&modes(&c_shape, 1, 3)), &[31.372, 39.653, 46.206], 2e-5);
 }
 
-/// The tetrahedral trusses of Bend-Forming with 1 and 3 rings, each strut once. N 1 by OpenSees too.
+/// The tetrahedral trusses of Bend-Forming with 1 and 3 rings, each strut once: an independent program of the textbook's matrices with
+/// SciPy's `eigsh`, and N 1 by OpenSees too.
 #[test]
 fn free_trusses() {
     for (rings, expected) in [(1, 596.635), (3, 598.175)] {
@@ -97,7 +98,7 @@ fn free_trusses() {
     }
 }
 
-/// The same with 5 rings: 17,172 equations, the lowest modes those of the whole truss.
+/// The same with 5 rings, by the same program: 17,172 equations, the lowest modes those of the whole truss.
 #[test]
 fn a_free_truss_of_five_rings() {
     let found = modes(&truss(5), 4, 3);
@@ -105,7 +106,7 @@ fn a_free_truss_of_five_rings() {
     assert_eq!(found[6].kind, ModeKind::Global);
 }
 
-/// The wire of Bend-Forming's accuracy test, struts that it takes twice being two members.
+/// The wire of Bend-Forming's accuracy test, struts that it takes twice being two members, by the same program.
 #[test]
 fn a_truss_as_its_wire_runs() {
     let model = accuracy_test_wire();

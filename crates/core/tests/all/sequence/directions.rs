@@ -56,7 +56,7 @@ fn of_the_published_directions_those_are_free_that_dense_sampling_finds_free() {
         steps.iter().filter(|step| step.kind != "support").map(|step| step.directions.len()).sum();
     assert_eq!(given, 6_928);
     let whole = counted(&steps, false);
-    assert!(whole[0].abs_diff(6_552) <= 7 && whole[1].abs_diff(7_387) <= 7, "{whole:?}");
+    assert!(whole[0].abs_diff(6_552) <= 6 && whole[1].abs_diff(7_387) <= 7, "{whole:?}");
     let ends = counted(&steps, true);
     assert!(ends[0] == 6_928 && ends[1].abs_diff(8_116) <= 8, "{ends:?}");
 }
