@@ -64,7 +64,7 @@ const fn yes() -> bool {
 
 #[derive(Deserialize)]
 struct Support {
-    condition: Fixities,
+    condition: Vec<bool>,
     node_ind: i64,
 }
 
@@ -220,8 +220,14 @@ fn supports(
     for (k, support) in model.supports.iter().enumerate() {
         let place = Location::Item("support", k);
         let index = node(source, &place, index_of, support.node_ind)?;
+        let Ok(condition) = Fixities::try_from(support.condition.as_slice()) else {
+            let found =
+                format!("{} entries in the condition of node {}", support.condition.len(), support.node_ind);
+            let expected = "six: which displacements along x, y, z and rotations about them are held";
+            return Err(source.syntax(place, &found, expected, ErrorRemedy::CorrectFile));
+        };
         let held = supports.entry(index).or_default();
-        *held = std::array::from_fn(|axis| held[axis] || support.condition[axis]);
+        *held = std::array::from_fn(|axis| held[axis] || condition[axis]);
     }
     for node in model.nodes.iter().filter(|node| node.is_grounded) {
         if let Some(index) = index_of.get(&node.number) {

@@ -194,7 +194,7 @@ fn what_a_conmech_frame_has_that_is_not_computed_is_refused_by_name() {
         refused(import("a.json", model.to_string()))
     };
     let released = json!([{"c_conditions": [null, 0.0, null], "elem_tags": ["a"]}]);
-    let cases: [(&str, Change<'_>); 8] = [
+    let cases: [(&str, Change<'_>); 9] = [
         ("a.json, material 0: found \"fy without a unit\", expected fy_unit beside it", &|model| {
             model["materials"][0]["fy"] = json!(36.0);
             model["materials"][0]["fy_unit"] = json!(null);
@@ -214,6 +214,14 @@ fn what_a_conmech_frame_has_that_is_not_computed_is_refused_by_name() {
         ("a.json, support 0: 7 names no node: there are 5", &|model| {
             model["supports"][0]["node_ind"] = json!(7);
         }),
+        (
+            "a.json, support 1: found \"5 entries in the condition of node 1\", expected six: which displacements along x, y, z and \
+             rotations about them are held",
+            &|model| {
+                let supports = json!([{"condition": ([true; 6]), "node_ind": 0}, {"condition": ([true; 5]), "node_ind": 1}]);
+                model["supports"] = supports;
+            },
+        ),
         ("a.json, node 1: found \"node_ind 0 again\", expected another node_ind", &|model| {
             model["nodes"][1]["node_ind"] = json!(0);
         }),
