@@ -94,3 +94,20 @@ it("tells how far a search is, and cancels it", async () => {
   expect(ask).toHaveBeenLastCalledWith("stop-sequence", {});
   expect(at.host.textContent).toContain("Cancelled.");
 });
+
+it("does not take a refusal for a frame that cannot be built", async () => {
+  ask.mockRejectedValue(new Error("no such machine"));
+  at.show(<SequenceSection />);
+  await press("Find");
+  expect(at.host.textContent).toContain("The sequence was not found");
+  expect(at.host.textContent).toMatch(/no such machine/i);
+});
+
+it("keeps a sequence whose new order could not be checked", async () => {
+  at.show(<SequenceSection />);
+  await press("Find");
+  ask.mockRejectedValue(new Error("no such machine"));
+  await press("Earlier");
+  expect(at.host.textContent).toContain("The order was not checked");
+  expect(at.host.textContent).toContain("Largest sag");
+});

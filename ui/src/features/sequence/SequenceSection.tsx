@@ -69,7 +69,7 @@ export function SequenceSection() {
           <Setup />
           {problem && (
             <ul>
-              <Line tone="error" what="There is no sequence" sub={problem} />
+              <Line tone="error" what={found ? "The order was not checked" : "The sequence was not found"} sub={problem} />
             </ul>
           )}
           {drawn && <Found drawn={drawn} />}
