@@ -104,7 +104,10 @@ impl<'a> Factor<'a> {
         let (node, displacement_mm) = response.max_displacement();
         let size_mm = self.assembly.size();
         let finite = response.displacements.iter().flatten().all(|value| value.is_finite());
-        if !finite || displacement_mm > TOO_FAR * size_mm {
+        if !finite {
+            return Err(Unstable::TooSoft { node, displacement_mm: f64::INFINITY, size_mm }.into());
+        }
+        if displacement_mm > TOO_FAR * size_mm {
             return Err(Unstable::TooSoft { node, displacement_mm, size_mm }.into());
         }
         Ok(response)

@@ -131,7 +131,7 @@ impl<'a> Flexibility<'a> {
     /// The sag of what stands; zero of nothing.
     #[must_use]
     pub fn sag(&self) -> Sag {
-        sag(&self.displacements)
+        sag(&self.displacements).0
     }
 
     /// The displacements under their own weight of all nodes of the model, mm and radian; zero of those that do not stand.
@@ -143,13 +143,13 @@ impl<'a> Flexibility<'a> {
     /// The sag with one member more, which is not added. A member that stands changes nothing.
     ///
     /// # Errors
-    /// Neither of its ends stands.
+    /// Neither of its ends stands, or it moves by what is no finite number.
     pub fn try_add(&self, member: MemberId) -> Result<Sag, Unstable> {
         if self.standing.contains(member) {
             return Ok(self.sag());
         }
         match self.place(member)? {
-            Some(place) => Ok(self.added(&place).sag),
+            Some(place) => Ok(self.added(&place)?.sag),
             None => Ok(self.factored(&self.with(member))?.sag),
         }
     }
@@ -157,7 +157,7 @@ impl<'a> Flexibility<'a> {
     /// Adds a member. Of one that stands already nothing changes.
     ///
     /// # Errors
-    /// Neither of its ends stands; then nothing is changed.
+    /// Neither of its ends stands, or it moves by what is no finite number; then nothing is changed.
     pub fn add(&mut self, member: MemberId) -> Result<Sag, Unstable> {
         if self.standing.contains(member) {
             return Ok(self.sag());
@@ -165,7 +165,7 @@ impl<'a> Flexibility<'a> {
         let with = self.with(member);
         match self.place(member)? {
             Some(place) if self.store.is_dense() => {
-                self.displacements = self.added(&place).displacements;
+                self.displacements = self.added(&place)?.displacements;
                 self.store.add(&place);
                 self.took(member, with)?;
             }
@@ -238,9 +238,9 @@ impl<'a> Flexibility<'a> {
         }
         self.standing = standing;
         let more = self.store.under(&self.left_over());
-        let (moved, all) = (sag(&more).max_displacement, self.sag().max_displacement);
+        let ((moved, finite), all) = (sag(&more), self.sag());
         self.changes += 1;
-        if self.changes >= CHANGES || moved.is_nan() || moved > DRIFT * all {
+        if self.changes >= CHANGES || !finite || moved.max_displacement > DRIFT * all.max_displacement {
             return self.make_anew(self.standing.clone());
         }
         self.displacements.iter_mut().flatten().zip(more.iter().flatten()).for_each(|(u, more)| *u += more);
@@ -306,7 +306,7 @@ impl<'a> Flexibility<'a> {
         (1..6).contains(&self.held[node.0])
     }
 
-    fn added(&self, place: &Place) -> Outcome {
+    fn added(&self, place: &Place) -> Result<Outcome, Unstable> {
         let mut displacements = self.displacements.clone();
         match place {
             Place::Hangs(strut) => {
@@ -315,7 +315,7 @@ impl<'a> Flexibility<'a> {
             }
             Place::Joins(strut) => self.store.join(strut, &mut displacements),
         }
-        Outcome { sag: sag(&displacements), displacements }
+        self.outcome(displacements)
     }
 
     /// `None` where a member is so much of the stiffness that what is left has to be factored.
@@ -328,7 +328,7 @@ impl<'a> Flexibility<'a> {
             }
             Place::Joins(strut) => self.store.part(strut, &mut displacements)?,
         }
-        Some(Outcome { sag: sag(&displacements), displacements })
+        self.outcome(displacements).ok()
     }
 
     /// The displacements of some members, by factoring their stiffness.
@@ -339,7 +339,19 @@ impl<'a> Flexibility<'a> {
             let factor = self.assembly.factor(members)?;
             factor.displacements(&[self.weight(members)]).swap_remove(0)
         };
-        Ok(Outcome { sag: sag(&displacements), displacements })
+        self.outcome(displacements)
+    }
+
+    /// What displacements make of the sag, where they are finite.
+    fn outcome(&self, displacements: Vec<[f64; 6]>) -> Result<Outcome, Unstable> {
+        match sag(&displacements) {
+            (sag, true) => Ok(Outcome { displacements, sag }),
+            (sag, false) => Err(Unstable::TooSoft {
+                node: sag.node,
+                displacement_mm: f64::INFINITY,
+                size_mm: self.assembly.size(),
+            }),
+        }
     }
 
     /// The forces at nodes that stand for the weight of some members.
@@ -353,7 +365,13 @@ impl<'a> Flexibility<'a> {
     fn make_anew(&mut self, members: MemberSet) -> Result<(), Unstable> {
         let weight = self.weight(&members);
         self.store.fill(self.assembly, &members)?;
-        self.displacements = self.store.under(&weight);
+        match self.outcome(self.store.under(&weight)) {
+            Ok(outcome) => self.displacements = outcome.displacements,
+            Err(unstable) => {
+                self.store.fill(self.assembly, &self.standing)?;
+                return Err(unstable);
+            }
+        }
         self.touching.fill(0);
         for member in members.iter() {
             let ends = &self.assembly.model().members[member.0];
@@ -366,14 +384,17 @@ impl<'a> Flexibility<'a> {
     }
 }
 
-/// The node that moves farthest. Ties go to the first.
-fn sag(displacements: &[[f64; 6]]) -> Sag {
+/// The node that moves farthest, and whether all figures are finite; otherwise it is the first where one is not. Ties go to the first.
+fn sag(displacements: &[[f64; 6]]) -> (Sag, bool) {
     let mut most = (0.0, 0);
     for (k, u) in displacements.iter().enumerate() {
         let squared = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+        if !squared.is_finite() || !u.iter().all(|value| value.is_finite()) {
+            return (Sag { max_displacement: f64::INFINITY, node: NodeId(k) }, false);
+        }
         if squared > most.0 {
             most = (squared, k);
         }
     }
-    Sag { max_displacement: most.0.sqrt(), node: NodeId(most.1) }
+    (Sag { max_displacement: most.0.sqrt(), node: NodeId(most.1) }, true)
 }

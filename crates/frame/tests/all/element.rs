@@ -92,7 +92,6 @@ fn along_the_axes() {
     }
 }
 
-/// Local y is up × x, z unless told otherwise, and y for a member along z.
 /// A beam on two pins under a line load, with a moment at one end: q s (L - s)/2 + M s/L is largest where q (L/2 - s) + M/L is zero,
 /// here at five eighths of its length, and 25 q L²/128 there. At its ends and quarters it is 24 q L²/128 at most.
 #[test]
@@ -110,6 +109,7 @@ fn the_largest_moment_is_found_between_the_quarters() {
     }
 }
 
+/// Local y is up × x, z unless told otherwise, and y for a member along z.
 #[test]
 fn local_axes() {
     let axes = |span: Vector3<f64>| {

@@ -227,6 +227,26 @@ fn struts_that_would_float() {
     assert!(flexibility.remove(pillar).expect("it is gone already").max_displacement <= 0.0);
 }
 
+/// Of a weight that is no number nothing is known, least of all that nothing sags, and what stood stands.
+#[test]
+fn a_weight_that_is_no_number_gives_no_sag() {
+    let model = bunny();
+    let assembly = Assembly::new(&model).expect("a model");
+    let pillar = MemberId(167);
+    for gravity in [f64::NAN, f64::INFINITY, 1e300] {
+        let gravity = Vector3::new(0.0, 0.0, gravity);
+        let refused = |found: Result<wirebend_frame::Sag, Unstable>| match found {
+            Err(Unstable::TooSoft { displacement_mm, .. }) => assert!(displacement_mm.is_infinite()),
+            found => panic!("{found:?} under {gravity}"),
+        };
+        let mut flexibility = Flexibility::new(&assembly, gravity);
+        refused(flexibility.try_add(pillar));
+        refused(flexibility.add(pillar));
+        assert!(flexibility.standing().is_empty() && !flexibility.stands(model.members[pillar.0].a));
+        assert!(Flexibility::of(&assembly, gravity, &assembly.all()).is_err());
+    }
+}
+
 /// Building each next strut where it keeps the sag least, as FrameFab's frames were found to be buildable: the worst step is the
 /// finished frame, or a cantilever on the way. An independent prototype has 0.427187, 0.223261 and 0.015608 mm, where struts on the
 /// ground come when they are the stiffest and not before all others.
