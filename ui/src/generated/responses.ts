@@ -6033,7 +6033,7 @@ export interface SequenceResponse {
    */
   feasible: boolean;
   /**
-   * The edges of each layer, from the ground; null where nobody asked.
+   * The edges of each layer, from the ground; null where nobody asked, or the frame as a whole cannot be built.
    */
   layers: number[][] | null;
   /**

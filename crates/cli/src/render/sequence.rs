@@ -60,7 +60,7 @@ fn feasible(out: &mut impl Write, found: &SequenceResponse) -> std::io::Result<(
     row(
         out,
         "sharing",
-        &format!("{} share a vertex with the step before", count(found.sharing, "step", "steps")),
+        &format!("{} a vertex with the step before", count(found.sharing, "step shares", "steps share")),
     )?;
     if let Some(least) = found.min_free_directions {
         row(out, "free directions", &format!("{least} where fewest are free"))?;

@@ -335,6 +335,10 @@ fn what_is_no_frame_is_refused_by_name() {
     assert_eq!(code(ran(&[&material[..], &["--modes", "1001"]].concat()), 2), "value");
     ran(&[&material[..], &["--supports", "a,b"]].concat()).ended(2);
     ran(&[&material[..], &["--gravity", "0,1"]].concat()).ended(2);
+    // So much that displacements are no numbers.
+    for gravity in ["0,0,-1e7", "1e300,0,0"] {
+        assert_eq!(code(ran(&[&material[..], &["--gravity", gravity]].concat()), 2), "value", "{gravity}");
+    }
     ran(&[&material[..], &["--close"]].concat()).ended(2);
 
     let finding = |ran: Ran| ran.ended(4).json()["diagnostics"][0].clone();
@@ -400,6 +404,34 @@ fn struts_without_a_vertex_where_they_cross_are_named() {
     let sequence = run_in(folder.path(), &build, b"").ended(4).json();
     assert_eq!(sequence["diagnostics"][0]["code"], "edges_meet");
     assert_eq!((&sequence["feasible"], &sequence["proved"]), (&false.into(), &true.into()));
+
+    // A strut that ends inside another is not joined to it, and nothing gives way.
+    write("tee.obj", "v 0 0 0\nv 60 0 0\nv 30 0 0\nv 30 40 0\nl 1 2\nl 3 4\n");
+    let tee = ran("tee.obj", "0,3").ended(4).json();
+    assert_eq!(
+        (&tee["diagnostics"][0]["code"], tee["diagnostics"].as_array().unwrap().len()),
+        (&"edges_meet".into(), 1)
+    );
+    // How good the machine must be is said of what is drawn, and that it cannot be built so.
+    write("self.obj", "v 0 0 0\nv 100 0 0\nv 100 60 0\nv 50 60 0\nv 50 -40 0\nl 1 2 3 4 5 1\n");
+    write("faces.json", "[[0, 1, 2, 3, 4]]");
+    let rest = [
+        "--units",
+        "mm",
+        "--machine",
+        "wirebend-kit",
+        "--faces",
+        "faces.json",
+        "--require",
+        "force=1",
+        "--json",
+    ];
+    let tolerance =
+        run_in(folder.path(), &[&["tolerance", "self.obj"], &rest[..]].concat(), b"").ended(0).json();
+    let crossing =
+        tolerance["notes"].as_array().unwrap().iter().find(|note| note["code"] == "edges_meet").unwrap();
+    let said = crossing["message"].as_str().unwrap();
+    assert!(said.starts_with("edges 0 and 3 meet 50.0 mm from vertex 0"), "{said}");
 
     // With a vertex there they stand.
     write("joined.obj", "v 0 0 0\nv 60 60 0\nv 0 60 0\nv 60 0 0\nv 30 30 0\nl 1 5 2\nl 3 5 4\n");

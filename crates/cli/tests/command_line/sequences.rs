@@ -67,6 +67,10 @@ fn supports_of_the_command_line_are_the_ground() {
 
     let floats = sequence(frame, &["--supports", "free"]).ended(4).json();
     assert_eq!(codes(&floats), ["frame_unsupported"]);
+    let named = |found: &Value| {
+        found["notes"].as_array().unwrap().iter().map(|note| note["code"].clone()).collect::<Vec<_>>()
+    };
+    assert!(!named(&drawn).contains(&json!("support-unused")), "{drawn}");
     let missing = sequence(frame, &["--supports", "0,77"]).ended(3);
     assert_eq!(missing.json()["error"]["code"], "no-vertex");
     sequence(frame, &["--supports", "0;1"]).ended(2);
@@ -184,6 +188,52 @@ fn the_last_step_sags_as_the_frame_does() {
     assert_eq!(none["proved"], json!(true));
 }
 
+/// What `frame` says of a part that nothing holds, of a support that holds nothing and of two struts in one place.
+#[test]
+fn parts_supports_and_doubled_struts_are_named_as_frame_names_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    let both = |file: &str, supports: &str, status: i32| {
+        let units: &[&str] = if file.contains(".wirebend") { &[] } else { &["--units", "mm"] };
+        let ask = |command: &str, rest: &[&str]| {
+            let arguments = [&[command, file, "--supports", supports, "--json"], rest, units].concat();
+            run_in(folder.path(), &arguments, b"").ended(status).json()
+        };
+        [ask("frame", &["--material", "abs-1-5mm"]), ask("sequence", &["--machine", "framefab-extruder"])]
+    };
+    write("two.obj", "v 0 0 0\nv 0 0 40\nv 90 0 0\nv 90 0 40\nl 1 2\nl 3 4\n");
+    for found in both("two.obj", "0", 4) {
+        let finding = &found["diagnostics"][0];
+        assert_eq!(finding["message"], "nothing holds the part of 1 edge at vertex 2");
+        assert_eq!((&finding["vertex"], &finding["edge"]), (&json!(2), &json!(1)));
+    }
+    let [_, sequence] = both("two.obj", "0", 4);
+    let help = sequence["diagnostics"][0]["help"].as_str().unwrap();
+    assert_eq!(help, "hold it at vertices that stand on something");
+
+    let [in_frame, in_sequence] = both(&jointed(folder.path()), "0,2,90", 0);
+    let note = |found: &Value, code: &str| {
+        found["notes"].as_array().unwrap().iter().find(|note| note["code"] == code).cloned().unwrap()
+    };
+    let unused = note(&in_sequence, "support-unused");
+    assert_eq!(unused["message"], "no strut ends at the support at vertex 90: it holds nothing");
+    assert_eq!(unused, note(&in_frame, "support-unused"));
+
+    run_in(folder.path(), &["import", "two.obj", "--units", "mm", "-o", "doubled.wirebend"], b"").ended(0);
+    let path = folder.path().join("doubled.wirebend");
+    let mut design: Value = serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap();
+    let edges = design["wireframe"]["edges"].as_array_mut().unwrap();
+    edges.extend([json!({"id": 2, "a": 3, "b": 2}), json!({"id": 3, "a": 0, "b": 1})]);
+    design["wireframe"]["next_edge"] = json!(4);
+    std::fs::write(&path, design.to_string()).unwrap();
+    for found in both("doubled.wirebend", "0,2", 0) {
+        assert_eq!(
+            note(&found, "doubled-strut")["message"],
+            "edges 1 and 2 both join vertices 2 and 3, and 1 more edge lies on another: each is a strut of its own"
+        );
+    }
+}
+
 #[test]
 fn a_frame_that_is_too_soft_or_out_of_reach_is_refused_with_its_place() {
     let soft = sequence("framefab/bunny0507_.pwf", &["--epsilon", "0.3"]).ended(4).json();
@@ -192,6 +242,54 @@ fn a_frame_that_is_too_soft_or_out_of_reach_is_refused_with_its_place() {
     // Node 34 of three other programs, which count from 1.
     assert_eq!(soft["diagnostics"][0]["vertex"], json!(33));
     assert_eq!(soft["obstacle"]["rule"], json!("whole-frame"));
+    // That is known before anything is cut.
+    for rest in [&["--layers"][..], &["--cost", "paper"]] {
+        let arguments = [&["--epsilon", "0.3"], rest].concat();
+        let layered = sequence("framefab/bunny0507_.pwf", &arguments).ended(4).json();
+        assert_fits("sequence", &layered);
+        assert_eq!((&layered["diagnostics"], &layered["layers"]), (&soft["diagnostics"], &Value::Null));
+        assert!(layered["timings_ms"].get("layers").is_none(), "{layered}");
+    }
+    // What would move farther than it is large is too soft, and no mechanism; of a hinge no sag helps.
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("long.obj"), "v 0 0 0\nv 2000 0 0\nl 1 2\n").unwrap();
+    let build = [
+        "sequence",
+        "long.obj",
+        "--units",
+        "mm",
+        "--machine",
+        "framefab-extruder",
+        "--json",
+        "--supports",
+        "0",
+    ];
+    let long = run_in(folder.path(), &build, b"").ended(4).json();
+    assert_eq!(codes(&long), ["frame_too_soft"]);
+    let said = long["diagnostics"][0]["message"].as_str().unwrap();
+    assert!(said.starts_with("the finished frame sags by 48817.3"), "{said}");
+    std::fs::write(
+        folder.path().join("order.json"),
+        json!({"steps": [{"edge": 0, "from_vertex": 0, "direction": [0.0, 0.0, 1.0]}]}).to_string(),
+    )
+    .unwrap();
+    let checked =
+        run_in(folder.path(), &[&build[..], &["--check", "order.json"]].concat(), b"").ended(4).json();
+    assert!(codes(&checked).contains(&"frame_too_soft"), "{checked}");
+    assert!(checked["steps"][0]["max_displacement_mm"].as_f64().unwrap() > 48817.0, "{checked}");
+    let hinge = json!({
+        "unit": "millimeter",
+        "node_list": [
+            { "node_id": 0, "point": { "X": 0.0, "Y": 0.0, "Z": 0.0 }, "is_grounded": 1, "fixities": [1, 1, 1, 0, 0, 0] },
+            { "node_id": 1, "point": { "X": 0.0, "Y": 0.0, "Z": 40.0 }, "is_grounded": 0 },
+        ],
+        "element_list": [{ "end_node_ids": [0, 1] }],
+    });
+    std::fs::write(folder.path().join("hinge.json"), hinge.to_string()).unwrap();
+    let hinged = ["sequence", "hinge.json", "--machine", "framefab-extruder", "--json"];
+    let hinged = run_in(folder.path(), &hinged, b"").ended(4).json();
+    assert_eq!(codes(&hinged), ["frame_mechanism"]);
+    assert!(!hinged["diagnostics"][0]["help"].as_str().unwrap().contains("farther off"), "{hinged}");
     // No time, no answer.
     let stopped = sequence("framefab/bunny0507_.pwf", &["--limit", "0"]).ended(4).json();
     assert_eq!((&stopped["proved"], codes(&stopped)), (&json!(false), vec!["sequence_not_found"]));

@@ -23,6 +23,23 @@ enum Place {
 }
 
 pub(super) fn check(design: &Design, found: &mut Vec<Diagnostic>) {
+    find(design, GivesWay::FreeEnds, found);
+}
+
+/// The same of struts that are not bent: where they run through each other nothing gives way.
+pub(super) fn check_rigid(design: &Design, found: &mut Vec<Diagnostic>) {
+    find(design, GivesWay::Nothing, found);
+}
+
+/// What is pushed aside where two edges run through each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum GivesWay {
+    /// The free end of a wire, and vertices that meet, which are passed like one.
+    FreeEnds,
+    Nothing,
+}
+
+fn find(design: &Design, gives_way: GivesWay, found: &mut Vec<Diagnostic>) {
     let diameter = design.diameter.mm();
     if diameter <= 0.0 {
         return;
@@ -41,7 +58,7 @@ pub(super) fn check(design: &Design, found: &mut Vec<Diagnostic>) {
     }
     let mut kept: Vec<Close> = closest.into_values().collect();
     kept.sort_by_key(|close| close.edges);
-    found.extend(kept.iter().map(|close| finding(design, &layout, close)));
+    found.extend(kept.iter().map(|close| finding(design, &layout, close, gives_way)));
 }
 
 fn place(layout: &Layout, close: &Close, side: usize, diameter: f64) -> Place {
@@ -51,15 +68,16 @@ fn place(layout: &Layout, close: &Close, side: usize, diameter: f64) -> Place {
     }
 }
 
-fn finding(design: &Design, layout: &Layout, close: &Close) -> Diagnostic {
+fn finding(design: &Design, layout: &Layout, close: &Close, gives_way: GivesWay) -> Diagnostic {
     let reach = design.diameter.mm();
     let near = [0, 1].map(|side| layout.end_within(close, side, reach));
-    // The free end of a wire gives way, and vertices that meet are passed like one. A wire through another cannot be.
-    let gives_way = match [0, 1].map(|side| layout.edges_at_end(close, side, reach)) {
-        [Some(_), Some(_)] => true,
-        [Some(edges), None] | [None, Some(edges)] => edges < 2,
-        [None, None] => false,
-    };
+    // A wire through another cannot be.
+    let gives_way = gives_way == GivesWay::FreeEnds
+        && match [0, 1].map(|side| layout.edges_at_end(close, side, reach)) {
+            [Some(_), Some(_)] => true,
+            [Some(edges), None] | [None, Some(edges)] => edges < 2,
+            [None, None] => false,
+        };
     let through = close.distance < reach / 2.0;
     let severity = if through && !gives_way { Severity::Error } else { Severity::Warning };
     let join = if near.iter().all(Option::is_some) { Remedy::MergeVertices } else { Remedy::JoinEdges };

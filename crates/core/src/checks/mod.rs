@@ -215,13 +215,13 @@ pub fn check_design(design: &Design) -> Vec<Diagnostic> {
     found
 }
 
-/// Edges of such a diameter that run through each other where no vertex joins them, which nothing can be built of. `tolerance`: up to
-/// this far apart vertices are taken for one.
+/// Edges of such a diameter that run through each other where no vertex joins them, which nothing can be built of: nearer than half of
+/// it, also where one ends there. `tolerance`: up to this far apart vertices are taken for one.
 #[must_use]
 pub fn check_crossings(wireframe: &Wireframe, diameter: Length, tolerance: Length) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     let design = Design { wireframe, components: &[], weld_tolerance: tolerance, diameter };
-    edges_meet::check(&design, &mut found);
+    edges_meet::check_rigid(&design, &mut found);
     found.retain(Diagnostic::is_error);
     found
 }

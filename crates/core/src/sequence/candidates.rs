@@ -6,7 +6,7 @@ use wirebend_frame::Unstable;
 use super::free_directions::{Free, FreeDirections};
 use super::group_set::GroupSet;
 use super::groups::Groups;
-use super::stability::{Sag, Stability, unsteady_node};
+use super::stability::{Sag, Stability, unsteady};
 use super::structure::Structure;
 
 /// Why a group cannot be taken off.
@@ -20,8 +20,8 @@ pub(super) enum Blocked {
     NoDirection(Vec<(usize, usize)>),
     /// What is left would sag too far.
     Sags(Sag),
-    /// What is left would not stand at all, at this node.
-    Unsteady(usize),
+    /// What is left would not stand at all, at this node; how far that would move, mm, where it is known.
+    Unsteady(usize, Option<f64>),
 }
 
 /// A structure, how it is grouped, and what decides about each group.
@@ -55,8 +55,14 @@ impl Candidates<'_> {
         match self.sag(&left) {
             Ok(sag) if sag.mm <= self.max_sag_mm => Ok(()),
             Ok(sag) => Err(Blocked::Sags(sag)),
-            Err(unstable) => Err(Blocked::Unsteady(unsteady_node(&unstable))),
+            Err(unstable) => Err(self.unsteady(&unstable)),
         }
+    }
+
+    /// That what is left does not stand.
+    pub fn unsteady(&self, unstable: &Unstable) -> Blocked {
+        let (node, sag_mm) = unsteady(unstable, self.max_sag_mm);
+        Blocked::Unsteady(node, sag_mm)
     }
 
     /// The sag of what stands.

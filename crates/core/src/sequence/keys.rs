@@ -91,7 +91,7 @@ pub(super) fn raise(keys: &mut [f64], candidates: &Candidates<'_>, stuck: &Stuck
     for (_, blocked) in &stuck.blocked {
         match blocked {
             Blocked::Sags(sag) => sagging(&mut blame, candidates, &stuck.standing, sag.node),
-            Blocked::Unsteady(node) => sagging(&mut blame, candidates, &stuck.standing, *node),
+            Blocked::Unsteady(node, _) => sagging(&mut blame, candidates, &stuck.standing, *node),
             Blocked::NoDirection(by) => {
                 let most = by.iter().map(|&(_, directions)| directions).max().unwrap_or(1) as f64;
                 for &(strut, directions) in by {

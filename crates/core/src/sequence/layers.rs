@@ -13,7 +13,7 @@ use wirebend_frame::ModelError;
 use super::builder::StrutBuilder;
 use super::free_directions::FreeDirections;
 use super::search::Task;
-use super::stability::{Stability, unsteady_node};
+use super::stability::{Stability, unsteady};
 use super::structure::Structure;
 use crate::units::Length;
 use crate::wireframe::EdgeId;
@@ -150,7 +150,7 @@ impl Cutter<'_> {
             let worst = match self.stability.sag(struts) {
                 Ok(sag) if sag.mm <= self.builder.max_sag.mm() => return Some(lower),
                 Ok(sag) => sag.node,
-                Err(unstable) => unsteady_node(&unstable),
+                Err(unstable) => unsteady(&unstable, self.builder.max_sag.mm()).0,
             };
             // What would hold that node belongs below.
             let holding = self.structure.around(worst).iter().filter(|&&strut| part[strut] && !lower[strut]);

@@ -39,7 +39,7 @@ pub use groups::{Group, GroupError, Groups};
 pub use layers::{LayerOptions, layers};
 pub use outcome::{Joint, Obstacle, ObstacleRule, Outcome, Progress, Step, StepKind, Strategy};
 pub use paper::search_by_paper;
-pub use search::{SearchOptions, Task, search, stiffest_order};
+pub use search::{SearchOptions, Task, search, stiffest_order, whole_frame};
 pub use stability::{Sag, Weight};
 pub use structure::{Node, Structure, StructureError, Strut};
 pub use wirebend_collide::{DirectionSet, Head, HeadError};

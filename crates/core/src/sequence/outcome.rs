@@ -125,7 +125,9 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    pub(super) fn impossible(obstacle: Obstacle) -> Self {
+    /// That there is none, and why.
+    #[must_use]
+    pub fn impossible(obstacle: Obstacle) -> Self {
         Self { steps: Vec::new(), strategy: None, proved: true, obstacle: Some(obstacle) }
     }
 

@@ -10,8 +10,8 @@ use wirebend_frame::ModelError;
 use super::candidates::{Blocked, Candidates};
 use super::group_set::GroupSet;
 use super::outcome::{Obstacle, ObstacleRule, Outcome, Progress, Strategy};
-use super::search::{Task, candidates, found, out_of_reach, told, too_soft};
-use super::stability::{Stability, unsteady_node};
+use super::search::{Task, candidates, found, of_the_whole, told};
+use super::stability::Stability;
 
 /// Weights of stability, adjacency and freedom of the rest: `Wp`, `Wa` and `Wi` of `FiberPrintPARM.h`, lines 47 to 49, in the sum of
 /// `FFAnalyzer.cpp`, line 319. The same as the paper's 1, 5, 1, where Eq. 7 sums stability, collision and adjacency.
@@ -41,15 +41,12 @@ pub fn search_by_paper(
     backtracks: u64,
     should_continue: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
 ) -> Result<Outcome, ModelError> {
-    if let Some(obstacle) = out_of_reach(task) {
-        return Ok(Outcome::impossible(obstacle));
-    }
     let stability = Stability::new(task.structure, task.weight)?;
     let candidates = candidates(task, &stability);
     let of = candidates.groups.all().len();
     let mut standing = GroupSet::none(of);
     let mut order: Vec<usize> = Vec::new();
-    if let Some(obstacle) = too_soft(&candidates) {
+    if let Some(obstacle) = of_the_whole(task, &candidates) {
         return Ok(Outcome::impossible(obstacle));
     }
     let mut levels = vec![ranked(&candidates, layers, &standing, None)];
@@ -72,7 +69,7 @@ pub fn search_by_paper(
                     continue;
                 }
                 Ok(sag) => Blocked::Sags(sag),
-                Err(unstable) => Blocked::Unsteady(unsteady_node(&unstable)),
+                Err(unstable) => candidates.unsteady(&unstable),
             };
             level.sagging.push((group, blocked));
             standing.remove(group);

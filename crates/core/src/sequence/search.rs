@@ -16,7 +16,7 @@ use super::group_set::GroupSet;
 use super::groups::Groups;
 use super::keys;
 use super::outcome::{Joint, Obstacle, ObstacleRule, Outcome, Progress, Step, StepKind, Strategy};
-use super::stability::{Stability, Weight, unsteady_node};
+use super::stability::{Stability, Weight, unsteady};
 use super::structure::Structure;
 use crate::units::Length;
 use wirebend_frame::ModelError;
@@ -64,10 +64,7 @@ pub fn search(
     let stability = Stability::new(task.structure, task.weight)?;
     let candidates = candidates(task, &stability);
     let of = task.groups.all().len();
-    if let Some(obstacle) = out_of_reach(task) {
-        return Ok(Outcome::impossible(obstacle));
-    }
-    if let Some(obstacle) = too_soft(&candidates) {
+    if let Some(obstacle) = of_the_whole(task, &candidates) {
         return Ok(Outcome::impossible(obstacle));
     }
     let mut dead = HashSet::new();
@@ -111,6 +108,20 @@ pub fn search(
     }
     let farthest = rounds.farthest.map(|stuck| obstacle(&candidates, &stuck));
     Ok(Outcome::not_found(farthest))
+}
+
+/// What keeps the whole frame from being built, whatever the order: a node out of reach, or that it sags too far once it is finished.
+///
+/// # Errors
+/// A frame that cannot be computed with.
+pub fn whole_frame(task: &Task<'_>) -> Result<Option<Obstacle>, ModelError> {
+    let stability = Stability::new(task.structure, task.weight)?;
+    Ok(of_the_whole(task, &candidates(task, &stability)))
+}
+
+/// The same where it is known what decides about each group.
+pub(super) fn of_the_whole(task: &Task<'_>, candidates: &Candidates<'_>) -> Option<Obstacle> {
+    out_of_reach(task).or_else(|| too_soft(candidates))
 }
 
 /// Whether a group on the ground stands alone, as the first one must. On a support that lets it turn or slide no strut does.
@@ -235,7 +246,7 @@ pub(super) fn found(candidates: &Candidates<'_>, order: &[usize], strategy: Stra
 }
 
 /// A node to which the tip does not get, whatever the order.
-pub(super) fn out_of_reach(task: &Task<'_>) -> Option<Obstacle> {
+fn out_of_reach(task: &Task<'_>) -> Option<Obstacle> {
     let nodes = task.structure.nodes();
     let node = nodes.iter().position(|node| !task.builder.reaches(&node.at))?;
     let struts = task.structure.around(node).to_vec();
@@ -243,11 +254,11 @@ pub(super) fn out_of_reach(task: &Task<'_>) -> Option<Obstacle> {
 }
 
 /// The whole frame, where it sags too far: whatever the order, it ends with that.
-pub(super) fn too_soft(candidates: &Candidates<'_>) -> Option<Obstacle> {
+fn too_soft(candidates: &Candidates<'_>) -> Option<Obstacle> {
     let (node, sag_mm) = match candidates.sag(&GroupSet::all(candidates.groups.all().len())) {
         Ok(sag) if sag.mm <= candidates.max_sag_mm => return None,
         Ok(sag) => (sag.node, Some(sag.mm)),
-        Err(unstable) => (unsteady_node(&unstable), None),
+        Err(unstable) => unsteady(&unstable, candidates.max_sag_mm),
     };
     let struts = candidates.structure.around(node).to_vec();
     let step = candidates.groups.all().len();
@@ -262,7 +273,7 @@ fn obstacle(candidates: &Candidates<'_>, stuck: &Stuck) -> Obstacle {
 pub(super) fn told(candidates: &Candidates<'_>, step: usize, blocked: &[(usize, Blocked)]) -> Obstacle {
     let groups = candidates.groups.all();
     let of = |rule: fn(&Blocked) -> bool| blocked.iter().find(|(_, blocked)| rule(blocked));
-    let told = of(|blocked| matches!(blocked, Blocked::Sags(_) | Blocked::Unsteady(_)))
+    let told = of(|blocked| matches!(blocked, Blocked::Sags(_) | Blocked::Unsteady(..)))
         .or_else(|| of(|blocked| matches!(blocked, Blocked::NoDirection(_))))
         .or_else(|| blocked.first());
     let Some((group, blocked)) = told else {
@@ -273,8 +284,9 @@ pub(super) fn told(candidates: &Candidates<'_>, step: usize, blocked: &[(usize, 
             ObstacleRule::Sags { node: sag.node, sag_mm: Some(sag.mm) },
             candidates.structure.around(sag.node).to_vec(),
         ),
-        Blocked::Unsteady(node) => {
-            (ObstacleRule::Sags { node: *node, sag_mm: None }, candidates.structure.around(*node).to_vec())
+        Blocked::Unsteady(node, sag_mm) => {
+            let rule = ObstacleRule::Sags { node: *node, sag_mm: *sag_mm };
+            (rule, candidates.structure.around(*node).to_vec())
         }
         Blocked::NoDirection(by) => (ObstacleRule::NoDirection, by.iter().map(|&(strut, _)| strut).collect()),
         Blocked::Floating | Blocked::GroundFirst => (ObstacleRule::Floating, Vec::new()),

@@ -79,11 +79,26 @@ impl Stability {
     }
 }
 
-/// The node that is to blame for a part that does not stand.
-pub(super) fn unsteady_node(unstable: &Unstable) -> usize {
+/// The node that is to blame for a part that does not stand, and how far it would move, mm, where that is known and beyond `most_mm`.
+pub(super) fn unsteady(unstable: &Unstable, most_mm: f64) -> (usize, Option<f64>) {
     match unstable {
-        Unstable::PartWithoutSupport { node, .. }
-        | Unstable::Mechanism { node }
-        | Unstable::TooSoft { node, .. } => node.0,
+        Unstable::PartWithoutSupport { node, .. } | Unstable::Mechanism { node } => (node.0, None),
+        Unstable::TooSoft { node, displacement_mm, .. } => {
+            (node.0, Some(*displacement_mm).filter(|mm| mm.is_finite() && *mm > most_mm))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn how_far_a_node_would_move_is_known_of_what_is_too_soft_alone() {
+        let soft = |displacement_mm| Unstable::TooSoft { node: NodeId(3), displacement_mm, size_mm: 20.0 };
+        assert_eq!(unsteady(&soft(500.0), 0.65), (3, Some(500.0)));
+        assert_eq!(unsteady(&soft(500.0), 1000.0), (3, None), "it is refused although so much is allowed");
+        assert_eq!(unsteady(&soft(f64::INFINITY), 0.65), (3, None));
+        assert_eq!(unsteady(&Unstable::Mechanism { node: NodeId(2) }, 0.65), (2, None));
     }
 }

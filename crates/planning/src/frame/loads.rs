@@ -16,6 +16,9 @@ use crate::{Installation, PlanningError, Progress};
 /// Standard gravity downwards, as a multiple of itself.
 const DOWN: [f64; 3] = [0.0, 0.0, -1.0];
 
+/// The most gravity along an axis, as a multiple of standard gravity.
+const MOST_GRAVITY: f64 = 1e6;
+
 /// Loads from a file.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
 pub struct LoadsChoice {
@@ -165,14 +168,14 @@ fn case(opened: &Opened, chosen: &LoadsChoice) -> Result<LoadCase, PlanningError
 }
 
 fn checked(gravity: [f64; 3]) -> Result<[f64; 3], PlanningError> {
-    if gravity.iter().all(|part| part.is_finite()) {
+    if gravity.iter().all(|part| part.abs() <= MOST_GRAVITY) {
         return Ok(gravity);
     }
     Err(PlanningError::Value {
         input: Some(InputName::Gravity),
         name: InputName::Gravity.words(),
         value: gravity.map(|part| part.to_string()).join(","),
-        expected: "three numbers, multiples of standard gravity along x, y and z",
+        expected: "three numbers, multiples of standard gravity along x, y and z, up to a million either way",
     })
 }
 

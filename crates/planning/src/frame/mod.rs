@@ -39,6 +39,7 @@ pub use figures::ClosingFigures;
 pub use loads::{LoadCaseEntry, LoadCases, LoadsChoice, VertexForce, load_cases};
 pub(crate) use material::FrameMaterial;
 pub use modes::{BowChoice, BowedReport, ModeKindName, ModeReport};
+pub(crate) use notes::{doubled_struts, unused_supports};
 pub use report::{MemberReport, ReactionReport, StaticReport};
 pub use results::FrameFiles;
 pub(crate) use results::built_result;

@@ -7,7 +7,7 @@ use wirebend_frame::{Assembly, Member, MemberId, Model, ModelError, NodeId, Supp
 
 use super::FrameFigures;
 use super::material::FrameMaterial;
-use super::notes::about_edges;
+use super::notes::{about_edges, doubled_struts, unused_supports};
 use super::supports::FrameSupports;
 use crate::PlanningError;
 use crate::design::Opened;
@@ -40,9 +40,10 @@ impl Structure {
         });
         let (edges, members): (Vec<EdgeId>, Vec<Member>) = members.unzip();
         let held = supports.vertices(opened)?;
-        let (bearing, unused): (Vec<VertexId>, Vec<VertexId>) =
-            held.into_iter().partition(|&vertex| !wireframe.incident(vertex).is_empty());
-        notes.extend(unused_supports(&unused));
+        notes.extend(unused_supports(wireframe, &held));
+        notes.extend(doubled_struts(wireframe));
+        let bears = |vertex: &VertexId| !wireframe.incident(*vertex).is_empty();
+        let bearing: Vec<VertexId> = held.into_iter().filter(bears).collect();
         let model = Model {
             nodes: wireframe.vertices().map(|(_, vertex)| vertex.position).collect(),
             members,
@@ -103,18 +104,6 @@ impl Structure {
 fn support(opened: &Opened, supports: &FrameSupports, id: VertexId, node: NodeId) -> Support {
     let drawn = opened.document.wireframe.vertex(id).filter(|_| *supports == FrameSupports::Design);
     Support { node, fixed: drawn.map_or([true; 6], |vertex| vertex.fixed()) }
-}
-
-/// A support that holds nothing is worth knowing of.
-fn unused_supports(unused: &[VertexId]) -> Option<NoteReport> {
-    let ids: Vec<String> = unused.iter().take(6).map(ToString::to_string).collect();
-    let more = if unused.len() > ids.len() { " and others" } else { "" };
-    (!unused.is_empty()).then(|| NoteReport {
-        code: "support-unused".into(),
-        count: unused.len(),
-        message: format!("no strut ends at the support at vertex {}{more}: it holds nothing", ids.join(", ")),
-        remedies: Vec::new(),
-    })
 }
 
 /// Why the edges of a design are no beams.

@@ -23,7 +23,7 @@ pub enum FrameSupports {
 
 impl FrameSupports {
     /// The vertices that are held, each once.
-    pub(super) fn vertices(&self, opened: &Opened) -> Result<Vec<VertexId>, PlanningError> {
+    pub(crate) fn vertices(&self, opened: &Opened) -> Result<Vec<VertexId>, PlanningError> {
         let wireframe = &opened.document.wireframe;
         let mut held: Vec<VertexId> = match self {
             Self::Free => Vec::new(),

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use wirebend_core::accuracy::{
     self, BowedStrut, Closing, Continuum, Effects, NoLimit, Requirement, Surface, Tolerance, Vary,
 };
+use wirebend_core::checks::{Diagnostic, check_crossings};
 use wirebend_core::simulate::{ErrorModel, ErrorTerm};
 use wirebend_core::units::Length;
 use wirebend_error::InputName;
@@ -12,9 +13,9 @@ use wirebend_error::InputName;
 use super::closing::ClosingName;
 use super::wires::Wires;
 use crate::choices::PlanChoices;
-use crate::design::{DesignInput, Input};
+use crate::design::{DesignInput, Input, default_weld};
 use crate::report::NoteReport;
-use crate::{Installation, PlanningError, Progress};
+use crate::{Installation, PlanningError, Progress, text};
 
 /// What is required of a closed frame.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
@@ -181,7 +182,10 @@ pub fn tolerance(
                 .designed(design.open_with(app, &request.choices, progress)?, &request.choices)?
                 .with_wireframe()?;
             let mut notes = opened.notes.clone();
+            let wireframe = opened.document.wireframe.clone();
             let wires = app.wires_to_close(opened, &request.choices, request.faces.as_ref(), progress)?;
+            let crossings = check_crossings(&wireframe, wires.material.wire.diameter, default_weld());
+            notes.extend(crossings.iter().map(crossing));
             progress.stage("closing joints");
             let closing = request.closing.into();
             let feed = wires.effects(closing, &one_mm(), request.vary != VaryName::Angle)?;
@@ -191,6 +195,11 @@ pub fn tolerance(
             Ok(ToleranceResponse::new(wires.material.id, &found, true, notes))
         }
     }
+}
+
+/// Struts that run through each other are none that could be built, and the figures are those of the frame as it is drawn.
+fn crossing(found: &Diagnostic) -> NoteReport {
+    NoteReport { code: "edges_meet".into(), count: 1, message: text::message(found), remedies: Vec::new() }
 }
 
 fn first_frequency(truss: &Continuum, bow: f64) -> Option<TrussFrequency> {

@@ -1,9 +1,11 @@
 //! What keeps a frame from being built, as findings.
 
+use std::collections::BTreeSet;
+
 use wirebend_core::checks::{Diagnostic, Fact, Location, Remedy, Severity};
 use wirebend_core::sequence::{Obstacle, ObstacleRule, Structure, StructureError, Task, Violation};
 use wirebend_core::units::Length;
-use wirebend_core::wireframe::{EdgeId, VertexId};
+use wirebend_core::wireframe::{Component, EdgeId, VertexId};
 
 use crate::design::Opened;
 
@@ -11,31 +13,33 @@ fn error(location: Location, fact: Fact, remedies: Vec<Remedy>) -> Diagnostic {
     Diagnostic { severity: Severity::Error, location, fact, remedies }
 }
 
-/// A design that is no frame.
-pub(super) fn no_structure(opened: &Opened, why: &StructureError) -> Diagnostic {
+/// A design that is no frame: what is wrong, of each part that nothing holds.
+pub(super) fn no_structure(opened: &Opened, why: &StructureError) -> Vec<Diagnostic> {
     let wireframe = &opened.document.wireframe;
     match why {
         StructureError::NoEdges => {
-            error(Location::default(), Fact::NoEdges, vec![Remedy::DrawEdges, Remedy::TakeFaceEdges])
+            vec![error(Location::default(), Fact::NoEdges, vec![Remedy::DrawEdges, Remedy::TakeFaceEdges])]
         }
         StructureError::NoSupport => {
             let fact = Fact::FrameUnsupported { edges: wireframe.edge_count(), whole: true };
-            error(Location::default(), fact, vec![Remedy::SupportVertices])
+            vec![error(Location::default(), fact, vec![Remedy::SupportVertices])]
         }
         StructureError::Floating { edges } => {
-            let fact = Fact::FrameUnsupported { edges: edges.len(), whole: false };
-            error(
-                Location::at_edges(edges.clone()),
-                fact,
-                vec![Remedy::SupportVertices, Remedy::ConnectParts],
-            )
+            let floats = |part: &Component| part.edges.iter().any(|edge| edges.contains(edge));
+            wireframe.components().into_iter().filter(floats).map(floating_part).collect()
         }
         StructureError::ZeroLength { edge } => {
             let ends = wireframe.edge(*edge).map_or([VertexId(0); 2], |there| [there.a, there.b]);
             let fact = Fact::ZeroLengthEdge { edge: *edge, ends, length: wireframe.edge_length(*edge) };
-            error(Location::at_edges(vec![*edge]), fact, vec![Remedy::DeleteEdge])
+            vec![error(Location::at_edges(vec![*edge]), fact, vec![Remedy::DeleteEdge])]
         }
     }
+}
+
+fn floating_part(part: Component) -> Diagnostic {
+    let fact = Fact::FrameUnsupported { edges: part.edges.len(), whole: false };
+    let vertices = part.vertices.first().copied().into_iter().collect();
+    error(Location { vertices, edges: part.edges, step: None }, fact, vec![Remedy::SupportVertices])
 }
 
 /// A step of a sequence that cannot be made.
@@ -98,15 +102,20 @@ fn in_the_way(task: &Task<'_>, structure: &Structure, obstacle: &Obstacle) -> Di
                 Some(Ok(sag)) => Fact::FrameTooSoft { sag, max, without: own.filter(|_| !whole) },
                 _ => Fact::FrameMechanism,
             };
-            error(location, fact, vec![Remedy::BraceFrame, Remedy::SupportVertices, Remedy::AllowMoreSag])
+            // What moves freely does so however far it may.
+            let allow = (fact != Fact::FrameMechanism).then_some(Remedy::AllowMoreSag);
+            let remedies = [Remedy::BraceFrame, Remedy::SupportVertices].into_iter().chain(allow);
+            error(location, fact, remedies.collect())
         }
         ObstacleRule::SagsWith { node, sag_mm } => {
             let sag = sag_mm.and_then(|mm| Length::from_mm(mm).ok());
             violation(&Violation::Sags { step: obstacle.step, vertex: vertex(node), sag, max })
         }
         ObstacleRule::NoDirection => {
-            let fact = Fact::NoHeadDirection { edge: own, blocking: around.len() };
-            let edges = own.into_iter().chain(around).collect();
+            // A wire may meet the same strut at several of its joints.
+            let blocking: BTreeSet<EdgeId> = around.into_iter().filter(|edge| Some(*edge) != own).collect();
+            let fact = Fact::NoHeadDirection { edge: own, blocking: blocking.len() };
+            let edges = own.into_iter().chain(blocking).collect();
             error(Location { vertices: Vec::new(), edges, step }, fact, vec![Remedy::MoveApart])
         }
         ObstacleRule::Floating => {

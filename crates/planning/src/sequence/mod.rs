@@ -25,7 +25,7 @@ use wirebend_frame::STANDARD_GRAVITY;
 
 use crate::choices::PlanChoices;
 use crate::design::{DesignInput, Input, Opened, default_weld};
-use crate::frame::FrameSupports;
+use crate::frame::{FrameSupports, doubled_struts, unused_supports};
 use crate::{Installation, Output, PlanningError, Progress};
 use builder::BuilderSetup;
 use drawn::Drawing;
@@ -133,12 +133,15 @@ fn run(
     let mut answer = report::Answer::new(&opened, &setup);
     answer.took("read", started);
     let mut drawing = Drawing::new(&setup);
-    let structure = match Structure::new(&opened.document.wireframe) {
+    let wireframe = &opened.document.wireframe;
+    answer.notes(unused_supports(wireframe, &FrameSupports::Design.vertices(&opened)?));
+    answer.notes(doubled_struts(wireframe));
+    let structure = match Structure::new(wireframe) {
         Ok(structure) => structure,
-        Err(error) => return Ok((answer.refused(&[findings::no_structure(&opened, &error)]), drawing)),
+        Err(error) => return Ok((answer.refused(&findings::no_structure(&opened, &error)), drawing)),
     };
     let diameter = Length::from_mm(2.0 * setup.section.radius).unwrap_or_default();
-    let crossings = check_crossings(&opened.document.wireframe, diameter, default_weld());
+    let crossings = check_crossings(wireframe, diameter, default_weld());
     if !crossings.is_empty() {
         return Ok((answer.refused(&crossings), drawing));
     }
@@ -149,11 +152,15 @@ fn run(
         name: opened.name.clone(),
         reason: error.to_string(),
     };
+    let searched = order.is_none() && request.check.is_none();
+    if searched && let Some(obstacle) = sequence::whole_frame(&task).map_err(no_frame)? {
+        return Ok((answer.found(&task, &Outcome::impossible(obstacle), Vec::new()), drawing));
+    }
     let layers = if request.layers || request.cost == CostName::Paper {
         progress.stage("cutting layers");
         let since = Instant::now();
         let ceilings: Vec<EdgeId> =
-            opened.document.wireframe.edges().filter(|(_, edge)| edge.ceiling).map(|(id, _)| id).collect();
+            wireframe.edges().filter(|(_, edge)| edge.ceiling).map(|(id, _)| id).collect();
         let layers = sequence::layers(&task, &ceilings, &LayerOptions::default()).map_err(no_frame)?;
         answer.took("layers", since);
         Some(layers)

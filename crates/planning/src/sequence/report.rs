@@ -34,7 +34,7 @@ pub struct SequenceResponse {
     pub travel_mm: Option<f64>,
     /// How many directions of the head are free where fewest are; null where a sequence is checked.
     pub min_free_directions: Option<usize>,
-    /// The edges of each layer, from the ground; null where nobody asked.
+    /// The edges of each layer, from the ground; null where nobody asked, or the frame as a whole cannot be built.
     pub layers: Option<Vec<Vec<u32>>>,
     /// Whether the frame can be built in this order.
     pub feasible: bool,
@@ -209,6 +209,10 @@ impl Answer {
 
     pub fn took(&mut self, part: &'static str, since: Instant) {
         self.response.timings_ms.insert(part, since.elapsed().as_secs_f64() * 1000.0);
+    }
+
+    pub fn notes(&mut self, notes: impl IntoIterator<Item = NoteReport>) {
+        self.response.notes.extend(notes);
     }
 
     pub fn layers(&mut self, structure: &Structure, layer: &[usize]) {

@@ -106,7 +106,7 @@ pub fn message(diagnostic: &Diagnostic) -> String {
         Fact::FrameHardlyStands { displacement, size } => frame::hardly_stands(at, *displacement, *size),
         Fact::FrameTooSoft { sag, max, without } => sequence::too_soft(at, *sag, *max, *without),
         Fact::StrutFloating { edge } => sequence::floating(*edge),
-        Fact::NoHeadDirection { edge, blocking } => sequence::no_direction(*edge, *blocking),
+        Fact::NoHeadDirection { edge, blocking } => sequence::no_direction(at, *edge, *blocking),
         Fact::OutOfWorkspace => sequence::out_of_reach(at),
         Fact::SequenceNotFound { step, of, proved } => sequence::not_found(*step, *of, *proved),
         Fact::SequenceStep(violation) => sequence::violation(violation),

@@ -12,7 +12,7 @@ use crate::wireframe::VertexId;
 pub(super) const ROUNDING_MM: f64 = 1e-6;
 
 pub(super) struct Sagging {
-    /// None where it does not stand.
+    /// None where it moves freely.
     pub mm: Option<f64>,
     pub vertex: VertexId,
 }
@@ -55,10 +55,14 @@ pub(super) fn sag(task: &Task<'_>, standing: &[usize]) -> Sagging {
             let (node, mm) = response.max_displacement();
             Sagging { mm: Some(mm), vertex: vertex(node) }
         }
+        Err(SolveError::Unstable(Unstable::TooSoft { node, displacement_mm, .. })) => {
+            // It is refused however much is allowed.
+            let most = task.builder.max_sag.mm() + ROUNDING_MM;
+            let mm = Some(displacement_mm).filter(|mm| mm.is_finite() && *mm > most);
+            Sagging { mm, vertex: vertex(node) }
+        }
         Err(SolveError::Unstable(
-            Unstable::PartWithoutSupport { node, .. }
-            | Unstable::Mechanism { node }
-            | Unstable::TooSoft { node, .. },
+            Unstable::PartWithoutSupport { node, .. } | Unstable::Mechanism { node },
         )) => Sagging { mm: None, vertex: vertex(node) },
         Err(SolveError::Load(_)) => Sagging { mm: None, vertex: vertex(NodeId(0)) },
     }
