@@ -65,7 +65,7 @@ pub fn part(name: &str) -> Result<()> {
     let after = if searched.is_zero() {
         String::new()
     } else {
-        format!(", and {:.1} s to check it", (all - searched).as_secs_f64())
+        format!(", and {:.1} s to check it", all.saturating_sub(searched).as_secs_f64())
     };
     let seconds = if searched.is_zero() { all } else { searched }.as_secs_f64();
     println!("{} struts, {words}: {seconds:.2} s{after}, {} MB at most", model.members.len(), peak_mb()?);

@@ -199,7 +199,8 @@ fn parts_supports_and_doubled_struts_are_named_as_frame_names_them() {
             let arguments = [&[command, file, "--supports", supports, "--json"], rest, units].concat();
             run_in(folder.path(), &arguments, b"").ended(status).json()
         };
-        [ask("frame", &["--material", "abs-1-5mm"]), ask("sequence", &["--machine", "framefab-extruder"])]
+        let build = ["--machine", "framefab-extruder", "--epsilon", "20"];
+        [ask("frame", &["--material", "abs-1-5mm"]), ask("sequence", &build)]
     };
     write("two.obj", "v 0 0 0\nv 0 0 40\nv 90 0 0\nv 90 0 40\nl 1 2\nl 3 4\n");
     for found in both("two.obj", "0", 4) {

@@ -88,7 +88,7 @@ fn printed_frames_vibrate_as_other_programs_say() {
 }
 
 /// The tetrahedral trusses of Bend-Forming with 1 and 3 rings, each strut once: an independent program of the textbook's matrices with
-/// SciPy's `eigsh`, and N 1 by OpenSees too.
+/// `SciPy`'s `eigsh`, and N 1 by OpenSees too.
 #[test]
 fn free_trusses() {
     for (rings, expected) in [(1, 596.635), (3, 598.175)] {

@@ -69,7 +69,11 @@ export function SequenceSection() {
           <Setup />
           {problem && (
             <ul>
-              <Line tone="error" what={found ? "The order was not checked" : "The sequence was not found"} sub={problem} />
+              <Line
+                tone="error"
+                what={found ? "The order was not checked" : "The sequence was not found"}
+                sub={problem}
+              />
             </ul>
           )}
           {drawn && <Found drawn={drawn} />}
