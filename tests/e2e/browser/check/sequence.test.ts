@@ -59,6 +59,20 @@ it("checks an order of one's own at once, and takes it back", async () => {
   await section()
     .getByText(/^Your order/)
     .waitFor({ state: "detached" });
+  // A step that is dragged is where it was dropped, and is checked there.
+  const edgeOf = async (step: number) =>
+    await options()
+      .nth(step - 1)
+      .locator("span")
+      .nth(1)
+      .textContent();
+  const [first, last] = [await edgeOf(1), await edgeOf(4)];
+  await options().nth(3).dragTo(options().nth(0));
+  await section().getByText("Your order cannot be built").waitFor();
+  await until(() => edgeOf(1)).toBe(last);
+  expect(await edgeOf(2)).toBe(first);
+  await section().getByRole("button", { name: "Take back" }).click();
+  await until(() => edgeOf(1)).toBe(first);
   await editor.button("Back to the design").first().click();
   await slider().waitFor({ state: "detached" });
 });
