@@ -2,6 +2,8 @@
 
 pub mod bender;
 
+use std::time::Instant;
+
 use anyhow::{Context, Result};
 use wirebend_core::plan::Machine;
 use wirebend_core::wireframe::Wireframe;
@@ -29,4 +31,20 @@ pub fn design(name: &str, faces: bool) -> Result<Wireframe> {
     let bytes = std::fs::read(&path).with_context(|| path.clone())?;
     let options = ReadOptions { face_edges: faces, ..ReadOptions::default() };
     Ok(read(&bytes, name, Some(Format::Obj), &options)?.wireframe)
+}
+
+/// The median of so many runs, in milliseconds, and what the last gave.
+///
+/// # Errors
+/// Those of the work.
+pub fn timed<T>(runs: usize, mut work: impl FnMut() -> Result<T>) -> Result<(f64, T)> {
+    let mut times = Vec::with_capacity(runs);
+    let mut last = None;
+    for _ in 0..runs {
+        let begin = Instant::now();
+        last = Some(work()?);
+        times.push(begin.elapsed().as_secs_f64() * 1000.0);
+    }
+    times.sort_by(f64::total_cmp);
+    Ok((times[times.len() / 2], last.context("nothing was run")?))
 }

@@ -16,6 +16,7 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
 use peer::{GRAVITY, MODES, SHIFT_HZ, ask, written};
+use wirebend_benches::timed;
 use wirebend_frame::{Assembly, Flexibility, Load, MemberId, ModeKind, ModeSearch, Model, Pieces};
 
 /// The median of so many runs is taken; of large frames of so many.
@@ -164,17 +165,4 @@ fn vibrating(python: &str, folder: &Path, name: &str, cut: &Pieces) -> Result<()
     }
     println!();
     Ok(())
-}
-
-/// The median of so many runs, in milliseconds, and what the last gave.
-fn timed<T>(runs: usize, mut work: impl FnMut() -> Result<T>) -> Result<(f64, T)> {
-    let mut times = Vec::with_capacity(runs);
-    let mut last = None;
-    for _ in 0..runs {
-        let begin = Instant::now();
-        last = Some(work()?);
-        times.push(begin.elapsed().as_secs_f64() * 1000.0);
-    }
-    times.sort_by(f64::total_cmp);
-    Ok((times[times.len() / 2], last.context("nothing was run")?))
 }

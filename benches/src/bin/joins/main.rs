@@ -12,6 +12,7 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
 use serde_json::{Value, json};
+use wirebend_benches::timed;
 use wirebend_postman::{Graph, Join, cheapest_join, verify};
 
 /// From, to and length.
@@ -198,19 +199,6 @@ fn run(command: &mut Command) -> Result<Value> {
     let done = command.output().with_context(|| format!("{command:?} cannot be started"))?;
     ensure!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
     Ok(if done.stdout.is_empty() { Value::Null } else { serde_json::from_slice(&done.stdout)? })
-}
-
-/// The median of so many tries, in milliseconds, and what the last gave.
-fn timed<T>(tries: usize, mut work: impl FnMut() -> Result<T>) -> Result<(f64, T)> {
-    let mut times = Vec::with_capacity(tries);
-    let mut last = None;
-    for _ in 0..tries {
-        let started = Instant::now();
-        last = Some(work()?);
-        times.push(started.elapsed().as_secs_f64() * 1000.0);
-    }
-    times.sort_by(f64::total_cmp);
-    Ok((times[times.len() / 2], last.context("nothing was tried")?))
 }
 
 /// The number of vertices and the edges of a file.

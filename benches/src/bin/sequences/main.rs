@@ -23,8 +23,6 @@ mod searching;
 #[allow(dead_code)] // the tests of accuracy use the rest
 mod truss;
 
-use std::time::Instant;
-
 use anyhow::{Context, Result};
 
 fn main() -> Result<()> {
@@ -40,17 +38,4 @@ fn main() -> Result<()> {
     closings::measure()?;
     println!();
     large::measure()
-}
-
-/// The median of so many runs, in seconds, and what the last gave.
-fn timed<T>(runs: usize, mut work: impl FnMut() -> Result<T>) -> Result<(f64, T)> {
-    let mut times = Vec::with_capacity(runs);
-    let mut last = None;
-    for _ in 0..runs {
-        let begin = Instant::now();
-        last = Some(work()?);
-        times.push(begin.elapsed().as_secs_f64());
-    }
-    times.sort_by(f64::total_cmp);
-    Ok((times[times.len() / 2], last.context("nothing was run")?))
 }

@@ -2,10 +2,11 @@
 
 use anyhow::{Context, Result, ensure};
 use nalgebra::Point3;
+use wirebend_benches::timed;
 use wirebend_frame::{Assembly, Flexibility, Load, Member, MemberId, MemberSet, Model};
 
 use super::peer::{GRAVITY, ask, written};
-use super::{frames, models, timed};
+use super::{frames, models};
 
 /// Its pillars stand before the first step.
 const PILLARS: usize = 12;
@@ -28,9 +29,7 @@ pub fn measure(python: &str) -> Result<()> {
     };
     same("growing", &growing)?;
     print!(
-        "{steps} frames of the published sequence of the bunny: {:.1} ms by one strut more each, {:.1} ms each factored;",
-        1000.0 * grown,
-        1000.0 * factored
+        "{steps} frames of the published sequence of the bunny: {grown:.1} ms by one strut more each, {factored:.1} ms each factored;"
     );
     let folder = tempfile::tempdir()?;
     let file = written(folder.path(), &model, PILLARS)?;
@@ -38,7 +37,7 @@ pub fn measure(python: &str) -> Result<()> {
         let theirs = ask(python, &["prefixes", peer], &file)?;
         let ms = theirs["ms"].as_f64().context("no time")?;
         same(peer, &serde_json::from_value::<Vec<f64>>(theirs["max_mm"].clone())?)?;
-        print!(" {peer} {ms:.0} ms, {:.0}x", ms / (1000.0 * grown));
+        print!(" {peer} {ms:.0} ms, {:.0}x", ms / grown);
         match aim {
             Some(aim) => print!(" ({aim:.0}x wanted);"),
             None => println!(),

@@ -3,13 +3,14 @@
 use std::ops::ControlFlow;
 
 use anyhow::{Result, ensure};
+use wirebend_benches::timed;
 use wirebend_core::sequence::{
     GivenStep, Groups, LayerOptions, SearchOptions, Structure, Task, layers, search, search_by_paper,
 };
 use wirebend_core::wireframe::{Vertex, VertexId, Wireframe};
 use wirebend_frame::Model;
 
-use super::{brute, frames, models, timed};
+use super::{brute, frames, models};
 
 /// What is wanted, and what `FrameFab`'s authors needed, s.
 struct Aims {
@@ -54,7 +55,8 @@ fn one(name: &str, structure: &Structure, aims: &Aims) -> Result<()> {
     let (builder, weight, groups) = (frames::builder(), frames::abs(), Groups::single(structure));
     let task = Task { structure, groups: &groups, builder: &builder, weight: &weight };
     let goes_on = &mut |_: &_| ControlFlow::Continue(());
-    let (seconds, outcome) = timed(3, || Ok(search(&task, &SearchOptions::default(), goes_on)?))?;
+    let (ms, outcome) = timed(3, || Ok(search(&task, &SearchOptions::default(), goes_on)?))?;
+    let seconds = ms / 1000.0;
     let confirm = |outcome: &wirebend_core::sequence::Outcome| -> Result<()> {
         ensure!(outcome.is_found(), "{name}: {:?}", outcome.obstacle);
         let given: Vec<GivenStep> =
@@ -72,20 +74,20 @@ fn one(name: &str, structure: &Structure, aims: &Aims) -> Result<()> {
     if let Some(paper) = aims.paper {
         print!(", the authors of FrameFab {paper} s, {:.0}x (50x wanted)", paper / seconds);
     }
-    let (seconds, layer) = timed(3, || Ok(layers(&task, &[], &LayerOptions::default())?))?;
+    let (ms, layer) = timed(3, || Ok(layers(&task, &[], &LayerOptions::default())?))?;
     let count = layer.iter().max().map_or(0, |top| top + 1);
-    print!("; {count} layers in {:.0} ms", 1000.0 * seconds);
+    print!("; {count} layers in {ms:.0} ms");
     if aims.layers.is_finite() {
         print!(" (at most {:.0} wanted)", 1000.0 * aims.layers);
     }
     if let Some(paper) = aims.paper_layers {
-        print!(", the authors {paper} s, {:.0}x", paper / seconds);
+        print!(", the authors {paper} s, {:.0}x", 1000.0 * paper / ms);
     }
     if structure.struts().len() < 500 {
         let goes_on = &mut |_: &_| ControlFlow::Continue(());
-        let (seconds, outcome) = timed(3, || Ok(search_by_paper(&task, &layer, 1000, goes_on)?))?;
+        let (ms, outcome) = timed(3, || Ok(search_by_paper(&task, &layer, 1000, goes_on)?))?;
         confirm(&outcome)?;
-        print!("; by their cost in {seconds:.2} s");
+        print!("; by their cost in {:.2} s", ms / 1000.0);
     }
     println!("; confirmed by brute force");
     Ok(())
