@@ -1,6 +1,7 @@
 //! What the benchmarks are run on and compared with.
 
 pub mod bender;
+pub mod frames;
 
 use std::time::Instant;
 

@@ -3,19 +3,12 @@
 
 #![allow(clippy::print_stdout, reason = "its output is the table")]
 
-#[allow(dead_code)] // the benchmark of sequences uses the rest
-mod models;
-mod peer;
-#[path = "../../../../crates/core/tests/all/accuracy/truss.rs"]
-#[allow(dead_code)] // the tests of accuracy use the rest
-#[allow(clippy::unwrap_used)] // a benchmark may stop at what cannot be
-mod truss;
-
 use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
-use peer::{GRAVITY, MODES, SHIFT_HZ, ask, written};
+use wirebend_benches::frames::models;
+use wirebend_benches::frames::peer::{GRAVITY, MODES, SHIFT_HZ, ask, written};
 use wirebend_benches::timed;
 use wirebend_frame::{Assembly, Flexibility, Load, MemberId, ModeKind, ModeSearch, Model, Pieces};
 

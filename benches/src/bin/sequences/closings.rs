@@ -5,7 +5,7 @@ use wirebend_benches::timed;
 use wirebend_core::accuracy::Closing;
 use wirebend_core::simulate::{ErrorModel, ErrorTerm};
 
-use super::truss::{DEPTH_OF_TEST, Truss};
+use wirebend_benches::frames::truss::{DEPTH_OF_TEST, Truss};
 
 const DRAWS: u64 = 400;
 /// s.

@@ -9,17 +9,19 @@ use anyhow::{Context, Result, bail, ensure};
 use wirebend_core::sequence::{GivenStep, Groups, SearchOptions, Task, check, search};
 use wirebend_frame::{Assembly, Load, ModeKind, ModeSearch, Pieces};
 
-use super::peer::GRAVITY;
-use super::{frames, models, searching};
+use wirebend_benches::frames::peer::GRAVITY;
+use wirebend_benches::frames::{built, models};
+
+use super::searching;
 
 const DUCKS: u32 = 7;
 
 /// The first argument of such a process.
-pub const CHILD: &str = "--part";
+pub const PART: &str = "--part";
 
 pub fn measure() -> Result<()> {
     for part in ["static", "modes", "sequence"] {
-        let done = Command::new(std::env::current_exe()?).args([CHILD, part]).output()?;
+        let done = Command::new(std::env::current_exe()?).args([PART, part]).output()?;
         ensure!(done.status.success(), "{part}: {}", String::from_utf8_lossy(&done.stderr));
         print!("{}", String::from_utf8_lossy(&done.stdout));
     }
@@ -47,7 +49,7 @@ pub fn part(name: &str) -> Result<()> {
         }
         "sequence" => {
             let (structure, builder, weight) =
-                (searching::structure(&model), frames::builder(), frames::abs());
+                (searching::structure(&model)?, built::builder(), built::abs());
             let groups = Groups::single(&structure);
             let task = Task { structure: &structure, groups: &groups, builder: &builder, weight: &weight };
             let goes_on = &mut |_: &_| ControlFlow::Continue(());

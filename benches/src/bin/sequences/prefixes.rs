@@ -5,8 +5,8 @@ use nalgebra::Point3;
 use wirebend_benches::timed;
 use wirebend_frame::{Assembly, Flexibility, Load, Member, MemberId, MemberSet, Model};
 
-use super::peer::{GRAVITY, ask, written};
-use super::{frames, models};
+use wirebend_benches::frames::peer::{GRAVITY, ask, written};
+use wirebend_benches::frames::{built, models};
 
 /// Its pillars stand before the first step.
 const PILLARS: usize = 12;
@@ -50,7 +50,7 @@ pub fn measure(python: &str) -> Result<()> {
 fn in_order(model: Model) -> Result<Model> {
     let near = |one: &Point3<f64>, other: &Point3<f64>| (one - other).norm() < 0.1;
     let ends = |member: &Member| [&model.nodes[member.a.0], &model.nodes[member.b.0]];
-    let members: Option<Vec<Member>> = frames::published_bunny()
+    let members: Option<Vec<Member>> = built::published_bunny()
         .iter()
         .map(|step| {
             let is_it = |member: &&Member| {

@@ -10,7 +10,7 @@ use wirebend_core::sequence::{
 use wirebend_core::wireframe::{Vertex, VertexId, Wireframe};
 use wirebend_frame::Model;
 
-use super::{brute, frames, models};
+use wirebend_benches::frames::{brute, built, models};
 
 /// What is wanted, and what `FrameFab`'s authors needed, s.
 struct Aims {
@@ -25,7 +25,7 @@ const SMALL: Aims = Aims { search: 0.7, paper: Some(38.0), layers: 0.05, paper_l
 const LARGE: Aims = Aims { search: 4.0, paper: None, layers: f64::INFINITY, paper_layers: None };
 
 pub fn measure() -> Result<()> {
-    let [(bunny, of_bunny), (c_shape, of_c_shape)] = frames::both();
+    let [(bunny, of_bunny), (c_shape, of_c_shape)] = built::both();
     one(bunny, &of_bunny, &SMALL)?;
     one(
         c_shape,
@@ -33,26 +33,26 @@ pub fn measure() -> Result<()> {
         &Aims { paper: Some(40.0), layers: f64::INFINITY, paper_layers: None, ..SMALL },
     )?;
     // The authors' own fertility has 316 nodes and 911 struts.
-    one("fertility", &structure(&models::fertility()?), &Aims { paper: Some(969.0), ..LARGE })?;
-    one("duck", &structure(&models::duck()?), &LARGE)
+    one("fertility", &structure(&models::fertility()?)?, &Aims { paper: Some(969.0), ..LARGE })?;
+    one("duck", &structure(&models::duck()?)?, &LARGE)
 }
 
 /// The same frame as a design whose edges are its members.
-pub fn structure(model: &Model) -> Structure {
+pub fn structure(model: &Model) -> Result<Structure> {
     let mut made = Wireframe::new();
     for (node, at) in model.nodes.iter().enumerate() {
         let support = model.supports.iter().any(|support| support.node.0 == node);
-        made.add_vertex(Vertex { support, ..Vertex::at(*at) }).unwrap();
+        made.add_vertex(Vertex { support, ..Vertex::at(*at) })?;
     }
-    let vertex = |node: wirebend_frame::NodeId| VertexId(u32::try_from(node.0).unwrap());
     for member in &model.members {
-        made.add_edge(vertex(member.a), vertex(member.b)).unwrap();
+        let [a, b] = [member.a, member.b].map(|node| u32::try_from(node.0).map(VertexId));
+        made.add_edge(a?, b?)?;
     }
-    Structure::new(&made).unwrap()
+    Ok(Structure::new(&made)?)
 }
 
 fn one(name: &str, structure: &Structure, aims: &Aims) -> Result<()> {
-    let (builder, weight, groups) = (frames::builder(), frames::abs(), Groups::single(structure));
+    let (builder, weight, groups) = (built::builder(), built::abs(), Groups::single(structure));
     let task = Task { structure, groups: &groups, builder: &builder, weight: &weight };
     let goes_on = &mut |_: &_| ControlFlow::Continue(());
     let (ms, outcome) = timed(3, || Ok(search(&task, &SearchOptions::default(), goes_on)?))?;
