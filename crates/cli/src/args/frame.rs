@@ -51,7 +51,7 @@ pub(crate) struct FrameArgs {
     #[arg(long, value_name = "N", default_value_t = 4)]
     pub pieces: u32,
     /// Find the modes also where every strut bows by this share of its length, in a random direction; an arc is cut into 9 pieces at least
-    #[arg(long, value_name = "SHARE", requires = "modes", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SHARE", requires = "modes", value_parser = parse_share, allow_hyphen_values = true)]
     pub bow: Option<f64>,
     /// Close the joints of the wires that the machine bends, with its errors, and say how accurate the frame is
     #[arg(long, requires = "errors")]
@@ -155,6 +155,13 @@ fn parse_continuum(text: &str) -> Result<ContinuumChoice, String> {
     })
 }
 
+/// `0.03`, or `3%`.
+fn parse_share(text: &str) -> Result<f64, String> {
+    let (number, whole) = text.strip_suffix('%').map_or((text, 1.0), |percent| (percent, 100.0));
+    let number: Result<f64, _> = number.trim().parse();
+    number.map(|number| number / whole).map_err(|_| "expected a share such as 0.03 or 3%".to_owned())
+}
+
 fn numbers(text: &str) -> Option<[f64; 3]> {
     let numbers: Option<Vec<f64>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
     numbers?.try_into().ok()
@@ -213,6 +220,15 @@ mod tests {
         );
         for wrong in ["", "surface", "weight=3", "force=5mm", "force=1N,force=2N"] {
             assert!(parse_requirements(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn shares_are_numbers_or_percent() {
+        assert_eq!(parse_share("0.03"), Ok(0.03));
+        assert_eq!(parse_share("3%"), Ok(0.03));
+        for wrong in ["", "%", "x", "3 mm"] {
+            assert!(parse_share(wrong).is_err_and(|words| words.contains("0.03 or 3%")), "{wrong}");
         }
     }
 
