@@ -115,6 +115,8 @@ it("traces a holder for a cup of 80 mm on a stencil of it, in at most 50 clicks 
   await take(below([0, 0, LOW]), "Vertex", LOW);
   await take(below(corner(7, LOW)), "Vertex", LOW);
   await until(size).toEqual([17, 20]);
+  // Until the window has heard so, too, a digit is the length of what comes next.
+  await editor.section("trace").getByText("Click on the stencil to begin a strand.").waitFor();
 
   // Four struts, two from the front and two from behind.
   for (const keys of [["1", "Home"], ["Control+1"]]) {
