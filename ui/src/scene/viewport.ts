@@ -280,6 +280,7 @@ export class Viewport {
   /** Looks at these, or at everything. */
   frame(selection?: Selection): void {
     this.framed = true;
+    this.turning.land();
     this.stage.frame(selection ?? null);
   }
 

@@ -81,6 +81,13 @@ export class Turning {
     return !arrived;
   }
 
+  /** Ends a turn that is under way where it goes. */
+  land(): void {
+    const { flight } = this;
+    this.flight = null;
+    if (flight && this.stage.camera.orbit === flight.seen) this.goBack({ orbit: flight.to, view: flight.view });
+  }
+
   /** Turned by hand, as dragging in the view does. */
   turn(dx: number, dy: number): void {
     this.stage.camera.orbit = turned(this.stage.camera.orbit, dx, dy);
