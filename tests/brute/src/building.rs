@@ -6,7 +6,7 @@ use nalgebra::{Point3, Vector3};
 
 use crate::fault::Fault;
 use crate::head::nearest;
-use crate::standing::sag;
+use crate::standing::Standing;
 use crate::{Kind, Step, Task};
 
 /// Figures that are computed in two ways differ by less, mm.
@@ -17,6 +17,7 @@ pub(crate) fn faults(task: &Task, steps: &[Step]) -> Vec<Fault> {
     let supports = task.vertices.iter().filter(|(_, vertex)| vertex.support).map(|(&vertex, _)| vertex);
     let mut building = Building {
         task,
+        frame: Standing::new(task),
         built: supports.collect(),
         standing: Vec::new(),
         first: BTreeMap::new(),
@@ -38,6 +39,7 @@ pub(crate) fn faults(task: &Task, steps: &[Step]) -> Vec<Fault> {
 
 struct Building<'a> {
     task: &'a Task,
+    frame: Standing<'a>,
     /// The vertices where something is built, with the ground.
     built: BTreeSet<u32>,
     standing: Vec<u32>,
@@ -124,7 +126,7 @@ impl Building<'_> {
         }
         self.built.extend(vertices);
         self.standing.extend(edges);
-        match sag(task, &self.standing) {
+        match self.frame.sag(&self.standing) {
             Some((vertex, mm)) if mm > task.machine.max_sag_mm + ROUNDING_OF_SAG_MM => {
                 self.faults.push(Fault::Sags { step, vertex, mm });
             }
@@ -191,7 +193,7 @@ impl Building<'_> {
             let least = if ends.iter().any(|end| touched.contains(end)) {
                 -task.machine.touch_mm
             } else {
-                task.machine.clearance_mm + task.section.radius
+                task.machine.clearance_mm + task.section.radius_mm
             };
             let strut = ends.map(|end| task.at(end));
             let mm = nearest(&task.machine.outline, axis, motion, strut, least);

@@ -1,20 +1,22 @@
 //! Sequences of struts, checked by brute force: motions and struts are sampled, and each frame that stands is solved from nothing.
 //!
-//! It shares no code with the search for sequences and with its check, and takes plain figures, so that every room can have its
-//! sequences confirmed: mm, degrees, and the numbers that vertices and edges have in the design. Steps count from 1.
+//! It shares no code with the search for sequences, with its check and with what solves frames for them, and takes plain figures, so that
+//! every room can have its sequences confirmed: mm, degrees, and the numbers that vertices and edges have in the design. Steps count
+//! from 1.
 
 #![allow(clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 
+mod beam;
 mod building;
 mod fault;
 mod head;
 mod printed;
+mod skyline;
 mod standing;
 
 use std::collections::BTreeMap;
 
 use nalgebra::{Point3, Vector3};
-use wirebend_frame::Section;
 
 pub use fault::Fault;
 
@@ -29,6 +31,19 @@ pub struct Vertex {
     pub fixed: [bool; 6],
     /// What joins the struts there, g.
     pub joint_g: f64,
+}
+
+/// A round section, and what it is made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Section {
+    /// mm.
+    pub radius_mm: f64,
+    /// Young's modulus, MPa.
+    pub e_mpa: f64,
+    /// Shear modulus, MPa.
+    pub g_mpa: f64,
+    /// `t/mm³`: 1210 `kg/m³` are 1.21e-9.
+    pub density_t_mm3: f64,
 }
 
 /// A frame as it is drawn and what builds it.
@@ -103,10 +118,10 @@ impl Task {
     /// Where the design has no such edge.
     #[must_use]
     pub fn sags(&self, steps: &[Step]) -> Vec<f64> {
-        let mut edges = Vec::new();
+        let (standing, mut edges) = (standing::Standing::new(self), Vec::new());
         let sags = steps.iter().map(|step| {
             edges.extend(&step.edges);
-            standing::sag(self, &edges).map_or(f64::INFINITY, |(_, mm)| mm)
+            standing.sag(&edges).map_or(f64::INFINITY, |(_, mm)| mm)
         });
         sags.collect()
     }

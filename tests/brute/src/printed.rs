@@ -4,9 +4,8 @@ use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
 use serde_json::Value;
-use wirebend_frame::{Material, Section};
 
-use crate::{Kind, Machine, Step, Task, Vertex};
+use crate::{Kind, Machine, Section, Step, Task, Vertex};
 
 impl Task {
     /// A design of a `.wirebend` file, whose supports hold all and whose joints weigh nothing, in ABS of 1.5 mm with FrameFab's extruder.
@@ -25,11 +24,10 @@ impl Task {
         });
         let edges =
             list("edges").iter().map(|edge| (number(&edge["id"]), ["a", "b"].map(|end| number(&edge[end]))));
-        let abs = Material { e: 3457.0, g: 1294.0, density: 1210e-12, yield_strength: 40.0 };
         Self {
             vertices: vertices.collect::<BTreeMap<_, _>>(),
             edges: edges.collect(),
-            section: Section::round(1.5, &abs),
+            section: Section { radius_mm: 0.75, e_mpa: 3457.0, g_mpa: 1294.0, density_t_mm3: 1210e-12 },
             gravity: Vector3::new(0.0, 0.0, -9806.65),
             machine: Machine {
                 outline: vec![[0.0, 0.0], [20.0, 11.547], [120.0, 11.547]],

@@ -76,8 +76,8 @@ const MAY_KNOW: &[(&str, &[&str])] = &[
     ("tests/loopback", &["crates/api"]),
     // What tests load or start, not link; only for tests and benchmarks.
     ("tests/built", &[]),
-    // Sequences are confirmed by what knows neither the search nor its check.
-    ("tests/brute", &["crates/frame"]),
+    // Sequences are confirmed by what knows neither the search, its check nor what solves frames.
+    ("tests/brute", &[]),
     // Its tests join what is fitted and the physics that it is fitted to, which know nothing of each other.
     ("tests/calibration", &["crates/core", "crates/driver-api", "drivers/wirebend-kit"]),
     ("tests/firmware", &["drivers/wirebend-kit", "crates/driver-api", "tests/built"]),

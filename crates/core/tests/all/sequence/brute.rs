@@ -19,10 +19,17 @@ pub fn of_task(task: &Task<'_>) -> brute::Task {
         let ends = strut.ends.map(|node| structure.nodes()[node].vertex.0);
         (strut.edge.0, ends)
     });
+    let section = task.weight.section;
+    assert!(section.iy.to_bits() == section.iz.to_bits(), "a round section");
     brute::Task {
         vertices: vertices.collect(),
         edges: edges.collect(),
-        section: task.weight.section,
+        section: brute::Section {
+            radius_mm: section.radius,
+            e_mpa: section.e,
+            g_mpa: section.g,
+            density_t_mm3: section.density,
+        },
         gravity: task.weight.gravity,
         machine: brute::Machine {
             outline: builder.head.outline().to_vec(),

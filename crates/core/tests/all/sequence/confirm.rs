@@ -31,3 +31,16 @@ pub fn searched(structure: &Structure, groups: &Groups, builder: &StrutBuilder) 
     }
     outcome
 }
+
+/// The sags after each step that the search, the check and brute force find, which are the same; nothing is wrong by either of the
+/// latter.
+#[track_caller]
+pub fn agreed(task: &Task<'_>, outcome: &Outcome) -> Vec<f64> {
+    let given = confirmed(task, outcome);
+    let sags = brute::of_task(task).sags(&brute::of_steps(&given));
+    for ((brute, step), checked) in sags.iter().zip(&outcome.steps).zip(&check(task, &given).sags_mm) {
+        assert!((step.max_sag_mm - brute).abs() <= 1e-9 * brute, "{} {brute}", step.max_sag_mm);
+        assert!((checked.unwrap() - brute).abs() <= 1e-9 * brute, "{checked:?} {brute}");
+    }
+    sags
+}
