@@ -8,7 +8,7 @@ use serde_json::Value;
 use crate::{Kind, Machine, Section, Step, Task, Vertex};
 
 impl Task {
-    /// A design of a `.wirebend` file, whose supports hold all and whose joints weigh nothing, in ABS of 1.5 mm with FrameFab's extruder.
+    /// A design of a `.wirebend` file, in ABS of 1.5 mm with FrameFab's extruder.
     ///
     /// # Panics
     /// Where it is no such design.
@@ -16,11 +16,11 @@ impl Task {
     pub fn framefab(design: &Value) -> Self {
         let list = |name: &str| design["wireframe"][name].as_array().expect("a list");
         let vertices = list("vertices").iter().map(|vertex| {
-            let plain = ["joint", "free"].iter().all(|key| vertex.get(key).is_none());
-            assert!(plain, "a support that holds all and no joint: {vertex}");
             let support = vertex.get("support").is_some_and(|support| support == true);
+            let holds = |k: usize| support && vertex["free"][k] != true;
+            let joint_g = vertex.get("joint").map_or(0.0, |joint| joint["mass_g"].as_f64().expect("a mass"));
             let at = triple(&vertex["at_mm"]).into();
-            (number(&vertex["id"]), Vertex { at, support, fixed: [support; 6], joint_g: 0.0 })
+            (number(&vertex["id"]), Vertex { at, support, fixed: [0, 1, 2, 3, 4, 5].map(holds), joint_g })
         });
         let edges =
             list("edges").iter().map(|edge| (number(&edge["id"]), ["a", "b"].map(|end| number(&edge[end]))));

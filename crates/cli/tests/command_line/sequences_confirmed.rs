@@ -1,19 +1,38 @@
 //! `sequence`: what is printed is confirmed by brute force, with the design as it is imported.
 
+use std::path::Path;
+
 use serde_json::Value;
 use wirebend_tests_brute::{Fault, Step, Task};
 
 use crate::{root, run_in};
 
-/// A frame that a reader is tested with, as brute force takes it, and its sequence.
+/// A frame in a file as brute force takes it.
+pub(crate) fn task(folder: &Path, file: &str) -> Task {
+    let imported = folder.join("imported.wirebend").display().to_string();
+    let design = if file.ends_with(".wirebend") {
+        folder.join(file)
+    } else {
+        run_in(folder, &["import", file, "-o", &imported, "--force"], b"").ended(0);
+        imported.into()
+    };
+    Task::framefab(&serde_json::from_slice(&std::fs::read(design).unwrap()).unwrap())
+}
+
+/// The same on other supports, which hold all.
+pub(crate) fn on_supports(task: &mut Task, supports: &[u32]) {
+    for (id, vertex) in &mut task.vertices {
+        vertex.support = supports.contains(id);
+        vertex.fixed = [vertex.support; 6];
+    }
+}
+
+/// A frame that a reader is tested with, and its sequence.
 fn asked(file: &str, rest: &[&str]) -> (Task, Value) {
     let folder = tempfile::tempdir().unwrap();
     let frame = root().join("crates/files/tests/data").join(file).display().to_string();
-    run_in(folder.path(), &["import", &frame, "-o", "frame.wirebend"], b"").ended(0);
-    let design = std::fs::read(folder.path().join("frame.wirebend")).unwrap();
-    let task = Task::framefab(&serde_json::from_slice(&design).unwrap());
-    let ask = [&["sequence", "frame.wirebend", "--machine", "framefab-extruder", "--json"], rest].concat();
-    (task, run_in(folder.path(), &ask, b"").ended(0).json())
+    let ask = [&["sequence", &frame, "--machine", "framefab-extruder", "--json"], rest].concat();
+    (task(folder.path(), &frame), run_in(folder.path(), &ask, b"").ended(0).json())
 }
 
 #[test]
@@ -43,10 +62,7 @@ fn every_sequence_that_is_printed_can_be_built() {
 fn a_sequence_on_other_supports_is_that_of_a_frame_on_these() {
     let (mut task, found) = asked("assembly-instances/four-frame.json", &["--supports", "0"]);
     let steps = Step::printed(&found);
-    for (&id, vertex) in &mut task.vertices {
-        vertex.support = id == 0;
-        vertex.fixed = [id == 0; 6];
-    }
+    on_supports(&mut task, &[0]);
     assert_eq!(task.faults(&steps), []);
     // Without those before it the last step hangs on nothing.
     let last = steps.last().cloned().unwrap();
