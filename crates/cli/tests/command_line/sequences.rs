@@ -47,6 +47,9 @@ fn the_published_sequence_of_the_bunny_is_checked() {
     let found = sequence("framefab/bunny0507_.pwf", &["--check", &file]).ended(0).json();
     assert_eq!((&found["feasible"], &found["sharing"]), (&json!(true), &json!(137)));
     assert_eq!(found["steps"].as_array().unwrap().len(), 179);
+    let folder = tempfile::tempdir().unwrap();
+    let task = task(folder.path(), &data("framefab/bunny0507_.pwf"));
+    assert_eq!(task.faults(&Step::printed(&found)), []);
 }
 
 /// The four struts hang on one pillar where it alone stands on the ground; the other goes down to where there is none.

@@ -179,18 +179,5 @@ pub(super) fn check_ordered(order: &[OrderedStep], task: &Task<'_>) -> (Vec<Give
     if again {
         checked = sequence::check(task, &given);
     }
-    let given = with_free_foremost(given, &checked);
     (given, checked)
-}
-
-/// The first direction that is free, where there is one, foremost: it is the one that is shown.
-fn with_free_foremost(mut given: Vec<GivenStep>, checked: &Checked) -> Vec<GivenStep> {
-    for (step, first_free) in given.iter_mut().zip(&checked.first_free) {
-        for (joint, first) in step.joints.iter_mut().zip(first_free) {
-            if let Some(first) = *first {
-                joint.directions.swap(0, first);
-            }
-        }
-    }
-    given
 }

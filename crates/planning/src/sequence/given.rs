@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use serde::Deserialize;
-use wirebend_core::sequence::{GivenJoint, GivenStep, StepKind};
+use wirebend_core::sequence::{Checked, GivenJoint, GivenStep, StepKind};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{EdgeId, VertexId};
 use wirebend_files::read::frame::{StrutKind, direction, read_sequence};
@@ -110,4 +110,16 @@ fn framefab(bytes: &[u8], name: &str, opened: &Opened) -> Result<Vec<GivenStep>,
         joints: vec![GivenJoint { vertex: matched.from, directions: step.directions }],
     });
     Ok(steps.collect())
+}
+
+/// The first direction that is free, where there is one, foremost: it is the one that is shown.
+pub(super) fn with_free_foremost(mut given: Vec<GivenStep>, checked: &Checked) -> Vec<GivenStep> {
+    for (step, first_free) in given.iter_mut().zip(&checked.first_free) {
+        for (joint, first) in step.joints.iter_mut().zip(first_free) {
+            if let Some(first) = *first {
+                joint.directions.swap(0, first);
+            }
+        }
+    }
+    given
 }

@@ -184,6 +184,7 @@ fn run(
             }
         };
         answer.took("check", since);
+        let given = given::with_free_foremost(given, &checked);
         let response = answer.checked(&task, &given, &checked);
         drawing.moves(&structure, &response, None);
         return Ok((response, drawing));
