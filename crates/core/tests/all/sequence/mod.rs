@@ -9,5 +9,6 @@ mod groups;
 mod held;
 mod layers;
 mod parts;
+mod properties;
 mod refused;
 mod small;
