@@ -21,7 +21,7 @@ pub fn framefab_weight() -> Load {
     Load { gravity: Vector3::new(0.0, 0.0, -9806.33), ..Load::default() }
 }
 
-/// A file of this crate, or of the readers of files, with a section and clamped feet.
+/// A file of this crate with a section and clamped feet.
 pub fn frame(file: &str, section: Section) -> Model {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
@@ -49,7 +49,7 @@ pub fn frame(file: &str, section: Section) -> Model {
 
 /// FrameFab's bunny: 91 nodes, 167 struts and 12 pillars.
 pub fn bunny() -> Model {
-    frame("../files/tests/data/framefab/bunny0507_.pwf", Section::round(1.5, &ABS))
+    frame("tests/data/framefab/bunny0507_.pwf", Section::round(1.5, &ABS))
 }
 
 /// A straight member of steel wire along `span`, cut into pieces, not held.

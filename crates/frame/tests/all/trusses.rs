@@ -52,7 +52,7 @@ fn joined(nodes: Vec<Point3<f64>>) -> Model {
 /// The wire of the authors' accuracy test (HaaarshB/Bend-Forming, 57988a9, MIT): feeds, rotations and bends of the Pensa D.I.Wire.
 /// Where it comes by a node again, it is joined.
 pub fn accuracy_test_wire() -> Model {
-    let file = "../files/tests/data/bend-forming/AccuracyTest_TetraTruss.txt";
+    let file = "tests/data/bend-forming/AccuracyTest_TetraTruss.txt";
     let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).expect("the file");
     let mut frame = Rotation3::identity();
     let mut at = Point3::origin();
