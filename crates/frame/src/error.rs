@@ -105,6 +105,9 @@ pub enum ModesError {
     /// The search has not come to an end.
     #[error("{found} of {wanted} modes were found among {vectors} directions")]
     NotConverged { found: usize, wanted: usize, vectors: usize },
+    /// So many modes are equal that the search has not come upon all of them.
+    #[error("{found} modes were found below {below_hz} Hz, where there are {there}")]
+    LeftOut { found: usize, there: usize, below_hz: f64 },
     /// A figure is so large or small that what was computed is no number.
     #[error("the modes are no finite numbers")]
     NotFinite,

@@ -72,7 +72,7 @@ impl Lower {
         }
     }
 
-    /// Memory for so many right sides at once.
+    /// With memory for so many right sides at once, one at least.
     pub fn solver<'s>(&'s self, symbolic: &'s SymbolicCholesky<usize>, columns: usize) -> Solver<'s> {
         let memory = MemBuffer::new(symbolic.solve_in_place_scratch::<f64>(columns, Par::Seq));
         Solver { lower: self, symbolic, memory, columns }
@@ -88,19 +88,21 @@ pub(crate) struct Solver<'s> {
 }
 
 impl Solver<'_> {
-    /// Solves in place; columns follow each other, at most as many as there is memory for.
+    /// Solves in place; columns follow each other.
     pub fn solve(&mut self, columns: &mut [f64]) {
         let rows = self.symbolic.nrows();
-        if rows == 0 {
-            return;
+        if rows > 0 {
+            columns.chunks_mut(rows * self.columns).for_each(|columns| self.solve_together(columns));
         }
-        let count = (columns.len() / rows).min(self.columns);
+    }
+
+    fn solve_together(&mut self, columns: &mut [f64]) {
+        let rows = self.symbolic.nrows();
         let (symbolic, values, is_definite) = (self.symbolic, &self.lower.values[..], self.lower.is_definite);
-        let columns = &mut columns[..rows * count];
         if let SymbolicCholeskyRaw::Simplicial(symbolic) = symbolic.raw() {
             return Triangle { symbolic, values, is_definite }.solve(columns);
         }
-        let right = MatMut::from_column_major_slice_mut(columns, rows, count);
+        let right = MatMut::from_column_major_slice_mut(columns, rows, columns.len() / rows);
         let memory = MemStack::new(&mut self.memory);
         if is_definite {
             LltRef::new(symbolic, values).solve_in_place_with_conj(Conj::No, right, Par::Seq, memory);

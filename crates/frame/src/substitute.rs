@@ -6,6 +6,9 @@ use faer::sparse::linalg::cholesky::simplicial::SymbolicSimplicialCholesky;
 /// So many right sides are beside each other: what a processor's cache line holds.
 const BESIDE: usize = 8;
 
+/// So many are as fast as fewer.
+const FEW: usize = 4;
+
 /// A lower triangle, column by column, each with its diagonal first.
 pub(crate) struct Triangle<'a> {
     pub symbolic: &'a SymbolicSimplicialCholesky<usize>,
@@ -20,11 +23,11 @@ impl Triangle<'_> {
         let rows = self.symbolic.nrows();
         let mut groups = columns.chunks_mut(rows * BESIDE);
         for group in &mut groups {
-            // One alone is the usual case.
-            if group.len() == rows {
-                self.solve_beside::<1>(group);
-            } else {
-                self.solve_beside::<BESIDE>(group);
+            match group.len() / rows {
+                // One alone is the usual case.
+                1 => self.solve_beside::<1>(group),
+                2..=FEW => self.solve_beside::<FEW>(group),
+                _ => self.solve_beside::<BESIDE>(group),
             }
         }
     }

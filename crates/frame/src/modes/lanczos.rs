@@ -11,7 +11,7 @@ use super::mass::{self, Mass};
 use crate::error::ModesError;
 use crate::lower::Solver;
 
-/// So many vectors at once; as many equal frequencies are found together.
+/// So many vectors at once are the fastest; as many equal frequencies are found together, more by luck.
 pub(super) const BLOCK: usize = mass::TOGETHER;
 
 /// A mode has converged when what is left of its value is below this share of it. The share bounds the error of the value, the
@@ -29,6 +29,8 @@ pub(super) struct Goal<'a> {
     pub rigid: &'a [Vec<f64>],
     pub free: usize,
     pub wanted: usize,
+    /// So many vectors at once.
+    pub block: usize,
     /// Where the lowest mode may be known within this share of its value, the search ends early; 0 for never.
     pub near: f64,
 }
@@ -51,8 +53,8 @@ pub(super) fn lowest(goal: &Goal, solver: &mut Solver) -> Result<Found, ModesErr
     let mut basis = Basis::new(goal.mass, goal.rigid);
     let mut random = Random(0x2545_F491_4F6C_DD1D);
     let mut operator = Vec::<Mat<f64>>::new();
-    let mut look_at = wanted.max(2 * BLOCK);
-    let mut block = begin(&basis, solver, &mut random);
+    let mut look_at = wanted.max(2 * goal.block);
+    let mut block = begin(&basis, solver, &mut random, goal.block);
     // A block without directions would be a positive mass with fewer of them than rows.
     while basis.len() < most && block.width() > 0 {
         block.keep(most - basis.len());
@@ -76,19 +78,19 @@ pub(super) fn lowest(goal: &Goal, solver: &mut Solver) -> Result<Found, ModesErr
                 return Ok(Found::Near(ritz.values[0]));
             }
             // The small problem costs its size cubed, and so is looked at but now and then.
-            look_at = end + (end / 6).max(2 * BLOCK);
+            look_at = end + (end / 6).max(2 * goal.block);
         }
         if block.width() == 0 {
             // What the search began with holds no other mode; equal ones may be left.
-            block = begin(&basis, solver, &mut random);
+            block = begin(&basis, solver, &mut random, goal.block);
         }
     }
     Err(ModesError::NotConverged { found: 0, wanted, vectors: basis.len() })
 }
 
 /// A block of random directions, in which the lowest modes are already the strongest.
-fn begin(basis: &Basis, solver: &mut Solver, random: &mut Random) -> Block {
-    let mut columns: Vec<f64> = (0..basis.rows() * BLOCK).map(|_| random.next()).collect();
+fn begin(basis: &Basis, solver: &mut Solver, random: &mut Random, width: usize) -> Block {
+    let mut columns: Vec<f64> = (0..basis.rows() * width).map(|_| random.next()).collect();
     columns = basis.mass().times(&columns);
     solver.solve(&mut columns);
     basis.orthogonal(columns)

@@ -5,7 +5,7 @@ use crate::equations::Equations;
 use crate::member_set::MemberSet;
 
 /// So many columns are multiplied, and solved for, at once: the matrix, which is larger than they are, is read but once for them.
-pub(super) const TOGETHER: usize = 6;
+pub(super) const TOGETHER: usize = 4;
 
 /// The consistent mass of some members. Nodes that none touches have none.
 pub(super) struct Mass<'a> {
