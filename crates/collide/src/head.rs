@@ -132,8 +132,8 @@ impl Head {
     /// In which of the directions `asked` a head meets the piece while it is carried along the motion, its axis in that direction all the
     /// time. In the other directions no point of the piece is ever deeper than `tolerance` below the limit.
     ///
-    /// The square of the parts of motion and piece is halved until each direction is decided. The bound below the distance is convex,
-    /// and so no less than its tangent plane in the middle of a cell.
+    /// The square of the parts of motion and piece is halved, each time the way along which the bound falls more, until each direction is
+    /// decided. The bound below the distance is convex, and so no less than its tangent plane in the middle of a cell.
     #[must_use]
     pub fn meets(
         &self,
@@ -146,7 +146,9 @@ impl Head {
         let (way, along) = (to - from, end - begin);
         let (way_length, along_length) = (way.norm(), along.norm());
         let mut met = DirectionSet::default();
-        let mut cells = vec![Cell { middle: [0.5; 2], half: [0.5; 2], open: asked }];
+        let mut rises = Vec::new();
+        let mut cells = Vec::with_capacity(64);
+        cells.push(Cell { middle: [0.5; 2], half: [0.5; 2], open: asked });
         while let Some(Cell { middle, half, open }) = cells.pop() {
             let open = open.without(met);
             if open.is_empty() {
@@ -154,31 +156,38 @@ impl Head {
             }
             let at = (begin - from) + along * middle[1] - way * middle[0];
             let spread = half[0] * way_length + half[1] * along_length;
-            if at.norm() - self.reach - spread >= passage.limit {
+            let squared = at.norm_squared();
+            let near = (self.reach + spread + passage.limit).max(0.0);
+            if squared >= near * near {
                 continue;
             }
-            let seen = Seen {
-                at_squared: at.norm_squared(),
-                at,
-                way,
-                along,
-                at_way: at.dot(&way),
-                at_along: at.dot(&along),
-            };
+            let seen = Seen { squared, way: at.dot(&way), along: at.dot(&along) };
+            if rises.is_empty() {
+                rises = rises_along(directions, asked, [&(begin - from), &way, &along]);
+            }
             let mut left = DirectionSet::default();
+            let mut falls = [0.0; 2];
             for index in open.iter() {
-                let Some(axis) = directions.get(index) else { continue };
-                let (distance, slopes) = self.tangent(&seen, axis);
+                let Some(&[begins, up_way, up_along]) = rises.get(index) else { continue };
+                let z = begins + up_along * middle[1] - up_way * middle[0];
+                let rho = (seen.squared - z * z).max(0.0).sqrt();
+                let (distance, face) = self.nearest(rho, z);
                 if distance < passage.limit {
                     met.insert(index);
-                } else if distance - half[0] * slopes[0].abs() - half[1] * slopes[1].abs() < passage.limit {
-                    left.insert(index);
+                } else if distance - spread < passage.limit {
+                    let slopes = face.slopes(&seen, rho, z, [up_way, up_along]);
+                    let fall = [0, 1].map(|k| half[k] * slopes[k].abs());
+                    let most = fall[0] + fall[1];
+                    if distance - most < passage.limit && most >= passage.tolerance {
+                        left.insert(index);
+                        falls = [falls[0] + fall[0], falls[1] + fall[1]];
+                    }
                 }
             }
-            if left.is_empty() || spread < passage.tolerance {
+            if left.is_empty() {
                 continue;
             }
-            let k = usize::from(half[0] * way_length < half[1] * along_length);
+            let k = usize::from(falls[0] < falls[1]);
             for side in [-0.5, 0.5] {
                 let (mut middle, mut halved) = (middle, half);
                 middle[k] += side * half[k];
@@ -189,10 +198,8 @@ impl Head {
         met
     }
 
-    /// The bound at a point, and its slopes over the motion and over the piece.
-    fn tangent(&self, seen: &Seen, axis: &UnitVector3<f64>) -> (f64, [f64; 2]) {
-        let z = seen.at.dot(axis);
-        let rho = (seen.at_squared - z * z).max(0.0).sqrt();
+    /// The bound at a point, and the face that gives it.
+    fn nearest(&self, rho: f64, z: f64) -> (f64, &Face) {
         let (mut best, mut distance) = (&self.faces[0], f64::NEG_INFINITY);
         for face in &self.faces {
             let value = face.at(rho, z);
@@ -200,12 +207,7 @@ impl Head {
                 (best, distance) = (face, value);
             }
         }
-        let [up_way, up_along] = [seen.way.dot(axis), seen.along.dot(axis)];
-        // On the axis the slope across is any up to 1, and 0 is one of them.
-        let out = if rho > 1e-9 { 1.0 / rho } else { 0.0 };
-        let across = [(seen.at_way - z * up_way) * out, (seen.at_along - z * up_along) * out];
-        let slope = |across: f64, up: f64| best.across * across + best.along * up;
-        (distance, [slope(across[0], up_way), slope(across[1], up_along)])
+        (distance, best)
     }
 }
 
@@ -213,14 +215,35 @@ impl Face {
     fn at(&self, rho: f64, z: f64) -> f64 {
         self.across * rho + self.along * z - self.offset
     }
+
+    /// How the distance from it changes over the motion and over the piece, which go up by so much.
+    fn slopes(&self, seen: &Seen, rho: f64, z: f64, [up_way, up_along]: [f64; 2]) -> [f64; 2] {
+        // On the axis the slope across is any up to 1, and 0 is one of them.
+        let out = if rho > 1e-9 { 1.0 / rho } else { 0.0 };
+        let across = [(seen.way - z * up_way) * out, (seen.along - z * up_along) * out];
+        let slope = |across: f64, up: f64| self.across * across + self.along * up;
+        [slope(across[0], up_way), slope(across[1], up_along)]
+    }
+}
+
+/// How far up each of these goes along each of the directions asked.
+fn rises_along<const N: usize>(
+    directions: &[UnitVector3<f64>],
+    asked: DirectionSet,
+    of: [&Vector3<f64>; N],
+) -> Vec<[f64; N]> {
+    let mut rises = vec![[0.0; N]; directions.len()];
+    for index in asked.iter() {
+        if let (Some(axis), Some(rises)) = (directions.get(index), rises.get_mut(index)) {
+            *rises = of.map(|vector| vector.dot(axis));
+        }
+    }
+    rises
 }
 
 /// A point as it is seen from the tip, and how it moves.
 struct Seen {
-    at: Vector3<f64>,
-    at_squared: f64,
-    way: Vector3<f64>,
-    along: Vector3<f64>,
-    at_way: f64,
-    at_along: f64,
+    squared: f64,
+    way: f64,
+    along: f64,
 }
