@@ -119,7 +119,7 @@ impl Node {
 /// Reads a frame. A node that has any fixity is a support, and so is one that is grounded and says none; `unit` is honoured.
 pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
     let assembly: Assembly = json::parse(bytes, source, "an object with node_list and element_list")?;
-    let mut drawing = Drawing::default();
+    let mut drawing = Drawing { names: Some(["node", "element"]), ..Drawing::default() };
     if let Some(word) = &assembly.unit {
         drawing.unit_mm = LengthUnit::from_word(word).map(LengthUnit::mm);
         if drawing.unit_mm.is_none() && options.units.is_none() {

@@ -23,6 +23,10 @@ pub(crate) struct Drawing {
     /// Points that are held, and how: along x, y and z, then about them.
     pub(crate) supports: Vec<(u32, [bool; 6])>,
     pub(crate) edges: Vec<(u32, u32)>,
+    /// The line of each edge, as [`Drawing::point_lines`].
+    pub(crate) edge_lines: Vec<usize>,
+    /// What the file calls its points and edges, where it is not vertices and edges.
+    pub(crate) names: Option<[&'static str; 2]>,
     /// Which of the edges are part of the ceiling, as their places in the list.
     pub(crate) ceilings: HashSet<u32>,
     pub(crate) faces: Vec<Vec<u32>>,
@@ -73,7 +77,11 @@ impl Drawing {
         for &k in self.faces.iter().flatten() {
             used[k as usize] = true;
         }
-        self.notes.add(NoteKind::VerticesUnused, used.iter().filter(|used| !**used).count());
+        for k in (0..used.len()).filter(|&k| !used[k]) {
+            let held = self.supports.iter().any(|&(held, how)| held as usize == k && how.contains(&true));
+            let kind = if held { NoteKind::SupportsUnused } else { NoteKind::VerticesUnused };
+            self.notes.add_at(kind, self.named(self.place_of_point(k)));
+        }
 
         let stencil = self.stencil(&used, source)?;
         if let Some(stencil) = &stencil {
@@ -111,6 +119,22 @@ impl Drawing {
     /// From numbers of the file to millimetres: the person's unit, else the file's, else none; and the scale.
     pub(crate) fn factor(&self, options: &ReadOptions) -> f64 {
         options.units.map(LengthUnit::mm).or(self.unit_mm).unwrap_or(1.0) * options.scale
+    }
+
+    /// Where a point is in the file.
+    fn place_of_point(&self, k: usize) -> Location {
+        let name = self.names.map_or("vertex", |[point, _]| point);
+        self.point_lines.get(k).map_or(Location::Item(name, k), |&line| Location::Line(line))
+    }
+
+    fn place_of_edge(&self, k: usize) -> Location {
+        let name = self.names.map_or("edge", |[_, edge]| edge);
+        self.edge_lines.get(k).map_or(Location::Item(name, k), |&line| Location::Line(line))
+    }
+
+    /// A place that somebody finds in the file: one of its lines, or an entry of a list that it has.
+    fn named(&self, place: Location) -> Option<Location> {
+        Some(place).filter(|place| matches!(place, Location::Line(_)) || self.names.is_some())
     }
 
     /// Of each point whether an edge ends at it.
@@ -163,11 +187,10 @@ impl Drawing {
         let mut wireframe = Wireframe::new();
         for (k, &position) in self.points.iter().enumerate().filter(|&(k, _)| used[k]) {
             if welded[k] as usize != k {
-                self.notes.add(NoteKind::VerticesMerged, 1);
+                self.notes.add_at(NoteKind::VerticesMerged, self.named(self.place_of_point(k)));
                 continue;
             }
-            let place =
-                self.point_lines.get(k).map_or(Location::Item("vertex", k), |&line| Location::Line(line));
+            let place = self.place_of_point(k);
             let support = fixed[k].contains(&true);
             let free = fixed[k].map(|fixed| support && !fixed);
             let vertex = Vertex { support, free, ..Vertex::at(position) };
@@ -175,15 +198,15 @@ impl Drawing {
         }
         let mut joined = HashSet::new();
         for (id, &(a, b)) in (0..).zip(&self.edges) {
+            let place = self.place_of_edge(id as usize);
             let ceiling = self.ceilings.contains(&id);
             let (a, b) = (VertexId(welded[a as usize]), VertexId(welded[b as usize]));
             let edge = Edge { a, b, ceiling };
             if edge.a == edge.b {
-                self.notes.add(NoteKind::EdgesCollapsed, 1);
+                self.notes.add_at(NoteKind::EdgesCollapsed, self.named(place));
             } else if !joined.insert(edge.ends()) {
-                self.notes.add(NoteKind::EdgesMerged, 1);
+                self.notes.add_at(NoteKind::EdgesMerged, self.named(place));
             } else {
-                let place = Location::Item("edge", id as usize);
                 wireframe.insert_edge(EdgeId(id), edge).map_err(|error| refuse(place, error))?;
             }
         }

@@ -4,6 +4,8 @@ use std::fmt;
 
 use wirebend_error::{ErrorRemedy, InputName};
 
+use super::error::Location;
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum NoteKind {
     /// Nothing says what the numbers measure.
@@ -18,6 +20,8 @@ pub enum NoteKind {
     EdgesCollapsed,
     /// Vertices that no edge or face uses.
     VerticesUnused,
+    /// The same where something would hold them.
+    SupportsUnused,
     NormalsIgnored,
     TextureIgnored,
     /// Colours and other values of a vertex, a face or a triangle.
@@ -33,7 +37,7 @@ pub enum NoteKind {
     CommentsIgnored,
     /// Pin commands of a script.
     PinsIgnored,
-    /// Layer numbers of a frame.
+    /// Layer numbers of a frame: kept for the files that have them.
     LayersIgnored,
     /// Loads, sections and materials of a frame.
     MaterialIgnored,
@@ -100,11 +104,13 @@ pub enum NoteKind {
 }
 
 /// One thing that a reader did, and how many times.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Note {
     pub kind: NoteKind,
     /// How many times; 1 for what can happen once only.
     pub count: usize,
+    /// Where the first of them is in the file, as far as the reader knows.
+    pub first: Option<Location>,
 }
 
 impl NoteKind {
@@ -118,6 +124,7 @@ impl NoteKind {
             Self::EdgesMerged => "edges-merged",
             Self::EdgesCollapsed => "edges-collapsed",
             Self::VerticesUnused => "vertices-unused",
+            Self::SupportsUnused => "supports-unused",
             Self::NormalsIgnored => "normals-ignored",
             Self::TextureIgnored => "texture-ignored",
             Self::AttributesIgnored => "attributes-ignored",
@@ -183,6 +190,9 @@ impl NoteKind {
             Self::EdgesMerged => ("duplicate edge merged", "duplicate edges merged"),
             Self::EdgesCollapsed => ("edge without length dropped", "edges without length dropped"),
             Self::VerticesUnused => ("unused vertex dropped", "unused vertices dropped"),
+            Self::SupportsUnused => {
+                ("support that no strut ends at dropped", "supports that no strut ends at dropped")
+            }
             Self::NormalsIgnored => ("normal ignored", "normals ignored"),
             Self::TextureIgnored => ("texture coordinate ignored", "texture coordinates ignored"),
             Self::AttributesIgnored => {
@@ -196,7 +206,9 @@ impl NoteKind {
             Self::StatementsIgnored => ("unknown statement ignored", "unknown statements ignored"),
             Self::CommentsIgnored => ("comment ignored", "comments ignored"),
             Self::PinsIgnored => ("pin command ignored", "pin commands ignored"),
-            Self::LayersIgnored => ("layer number ignored", "layer numbers ignored"),
+            Self::LayersIgnored => {
+                ("layer number kept, not used for sequences", "layer numbers kept, not used for sequences")
+            }
             Self::MaterialIgnored => {
                 ("material or section of the frame ignored", "materials or sections of the frame ignored")
             }
@@ -274,12 +286,24 @@ impl NoteKind {
     }
 }
 
+impl Note {
+    fn counted(&self) -> String {
+        match (self.kind.words(), self.count) {
+            ((sentence, ""), _) => sentence.to_owned(),
+            ((one, _), 1) => format!("1 {one}"),
+            ((_, many), count) => format!("{count} {many}"),
+        }
+    }
+}
+
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match (self.kind.words(), self.count) {
-            ((sentence, ""), _) => f.write_str(sentence),
-            ((one, _), 1) => write!(f, "1 {one}"),
-            ((_, many), count) => write!(f, "{count} {many}"),
+        f.write_str(&self.counted())?;
+        let first = self.first.as_ref().map(Location::to_string).unwrap_or_default();
+        match (first.strip_prefix(", "), self.count) {
+            (None, _) => Ok(()),
+            (Some(first), 1) => write!(f, " ({first})"),
+            (Some(first), _) => write!(f, " (the first: {first})"),
         }
     }
 }
@@ -291,19 +315,28 @@ pub(crate) struct Notes(Vec<Note>);
 impl Notes {
     /// Counts; zero is no note.
     pub(crate) fn add(&mut self, kind: NoteKind, count: usize) {
+        self.count(kind, count, None);
+    }
+
+    /// Counts one more, and keeps where the first of its kind is, if that is known.
+    pub(crate) fn add_at(&mut self, kind: NoteKind, place: Option<Location>) {
+        self.count(kind, 1, place);
+    }
+
+    fn count(&mut self, kind: NoteKind, count: usize, first: Option<Location>) {
         if count == 0 {
             return;
         }
         match self.0.iter_mut().find(|note| note.kind == kind) {
             Some(note) => note.count += count,
-            None => self.0.push(Note { kind, count }),
+            None => self.0.push(Note { kind, count, first }),
         }
     }
 
     /// What was counted, for the error that nothing else was there; without what was assumed.
     pub(crate) fn but(&self) -> String {
         let counted = self.0.iter().filter(|note| !note.kind.words().1.is_empty());
-        let counted: Vec<String> = counted.map(Note::to_string).collect();
+        let counted: Vec<String> = counted.map(Note::counted).collect();
         if counted.is_empty() { String::new() } else { format!(" ({})", counted.join(", ")) }
     }
 

@@ -52,23 +52,25 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
             ("l", [_, _, ..]) => {
                 for pair in rest.windows(2) {
                     drawing.edges.push((index(pair[0])?, index(pair[1])?));
+                    drawing.edge_lines.push(line);
                 }
             }
             ("p", [base, foot]) => {
                 let foot = index(foot)?;
                 drawing.edges.push((index(base)?, foot));
+                drawing.edge_lines.push(line);
                 drawing.supports.push((foot, [true; 6]));
             }
             ("c", [a, b]) => {
                 let ceiling = (index(a)?, index(b)?);
-                marked.push(ceiling);
+                marked.push((line, ceiling));
                 ceilings.push(ceiling);
             }
             ("g", [a, b, layer]) => {
                 let strut = (index(a)?, index(b)?);
-                drawing.notes.add(NoteKind::LayersIgnored, 1);
+                drawing.notes.add_at(NoteKind::LayersIgnored, Some(Location::Line(line)));
                 layers.insert(ends(strut), source.whole(line, layer)?);
-                marked.push(strut);
+                marked.push((line, strut));
             }
             (comment, _) if comment.starts_with('#') => drawing.notes.add(NoteKind::CommentsIgnored, 1),
             _ => {
@@ -83,7 +85,10 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
         }
     }
     let mut known: BTreeSet<(u32, u32)> = drawing.edges.iter().copied().map(ends).collect();
-    drawing.edges.extend(marked.into_iter().filter(|edge| known.insert(ends(*edge))));
+    for (line, edge) in marked.into_iter().filter(|(_, edge)| known.insert(ends(*edge))) {
+        drawing.edges.push(edge);
+        drawing.edge_lines.push(line);
+    }
     let ceilings: BTreeSet<(u32, u32)> = ceilings.into_iter().map(ends).collect();
     drawing.ceilings = (0..)
         .zip(&drawing.edges)

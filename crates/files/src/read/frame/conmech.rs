@@ -118,8 +118,8 @@ struct Material {
 /// held in every direction.
 pub(crate) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
     let model: Model = json::parse(bytes, source, "a conmech frame with unit, nodes, elements and supports")?;
-    let mut drawing =
-        Drawing { unit_mm: LengthUnit::from_word(&model.unit).map(LengthUnit::mm), ..Drawing::default() };
+    let unit_mm = LengthUnit::from_word(&model.unit).map(LengthUnit::mm);
+    let mut drawing = Drawing { unit_mm, names: Some(["node", "element"]), ..Drawing::default() };
     if drawing.unit_mm.is_none() && options.units.is_none() {
         let expected = "a unit: meter, centimeter, millimeter or inch";
         return Err(source.syntax(Location::File, &model.unit, expected, ErrorRemedy::ChooseUnit));

@@ -303,7 +303,7 @@ fn the_hook_is_a_leg_and_three_quarters_of_a_circle() {
         [
             "1 curve made straight edges within the tolerance",
             "1 hidden element left out",
-            "1 vertex merged into another"
+            "1 vertex merged into another (line 74)"
         ]
     );
 }

@@ -38,7 +38,7 @@ fn an_obj_keeps_its_order_and_tells_all() {
         1 loose point ignored
         1 unknown statement ignored
         units not given: taken as mm
-        1 unused vertex dropped
+        1 unused vertex dropped (line 4)
         1 face kept as stencil, not as edges
         1 duplicate edge merged
         1 edge without length dropped"#]]
