@@ -191,6 +191,12 @@ it("makes the pictures of frames", async () => {
   await frame.getByRole("button", { name: "Compute", exact: true }).click();
   await frame.getByRole("table", { name: "Results" }).waitFor();
   await picture("frame");
+  await frame.getByRole("list", { name: "Modes" }).getByRole("button").first().click();
+  await page
+    .getByRole("region", { name: "Legend" })
+    .getByText(/^Mode 1, /)
+    .waitFor();
+  await picture("mode");
 
   await editor.reload("sequence");
   const sequence = editor.section("sequence");
@@ -203,4 +209,36 @@ it("makes the pictures of frames", async () => {
     .getByText(/^step 9[01] /)
     .waitFor();
   await picture("sequence");
+  await sequence.getByText(/^Colours of the layers/).click();
+  await slider.fill(String(await slider.getAttribute("max")));
+  await picture("layers");
+});
+
+it("makes the pictures of closed joints", async () => {
+  const { page } = editor;
+  await editor.take("truss", "frame");
+  const frame = editor.section("frame");
+  const legend = page.getByRole("region", { name: "Legend" });
+  await frame.getByText("Free", { exact: true }).click();
+  await frame.getByLabel("Material").selectOption("steel-0-9mm");
+  await frame.getByText(/close their joints/).click();
+  await frame.getByText(/^Run wires along edges twice/).click();
+  await frame.getByRole("button", { name: "Compute", exact: true }).click();
+  const closed = frame.getByRole("table", { name: "Closed frame" });
+  await closed.waitFor();
+  for (const shape of ["As made", "As closed"]) {
+    await frame.getByText(shape, { exact: true }).first().click();
+    await legend.getByText(shape).waitFor();
+    await closed.scrollIntoViewIfNeeded();
+    await picture(shape.toLowerCase().replace(" ", "-"));
+  }
+  await page.keyboard.press("Escape");
+  const force = frame.getByLabel("Force", { exact: true });
+  await force.fill("20");
+  await force.press("Enter");
+  await frame.getByRole("button", { name: "Find the tolerance" }).click();
+  const tolerance = frame.getByRole("table", { name: "Tolerance" });
+  await tolerance.getByText(/which governs/).waitFor();
+  await tolerance.scrollIntoViewIfNeeded();
+  await picture("tolerance");
 });
