@@ -97,7 +97,7 @@ pub use wirebend_planning::report::{
     WireReport, WireframeReport, shown_deg,
 };
 pub use wirebend_planning::sequence::{
-    CostName, DrawnSequence, GroupBy, HeadMove, ObstacleReport, ObstacleRuleName, OrderedStep,
+    CostName, DrawnSequence, GroupBy, HeadMove, ObstacleReport, ObstacleRuleName, OrderedStep, PartialReport,
     SequenceFormat, SequenceJoint, SequenceRequest, SequenceResponse, SequenceStepReport, StepTypeName,
     StrategyName,
 };

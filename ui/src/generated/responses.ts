@@ -6058,6 +6058,10 @@ export interface SequenceResponse {
    */
   obstacle: ObstacleReport | null;
   /**
+   * The longest part of an order that was found; null where all of it was, or none can be.
+   */
+  partial: PartialReport | null;
+  /**
    * Whether that is certain; a search that ended early knows nothing of orders that it did not try.
    */
   proved: boolean;
@@ -6110,6 +6114,19 @@ export interface ObstacleReport {
    * The vertex that sags or is out of reach.
    */
   vertex: number | null;
+}
+/**
+ * A part of an order: the edges of each step.
+ */
+export interface PartialReport {
+  /**
+   * How it begins; empty where the search takes the frame apart from its end.
+   */
+  first: number[][];
+  /**
+   * How it ends; empty where the search builds it up.
+   */
+  last: number[][];
 }
 /**
  * What is placed at once.

@@ -12,13 +12,15 @@ use super::group_set::GroupSet;
 /// Among keys that are no lower than the highest by more than this, one that shares a node with the last is preferred.
 const BAND: f64 = 0.1;
 
-/// Where it cannot go on.
+/// Where a search cannot go on.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Stuck {
     /// What stands there.
     pub standing: GroupSet,
-    /// Why each of it cannot be taken off.
+    /// Why nothing of it can be taken off, or nothing be placed on it.
     pub blocked: Vec<(usize, Blocked)>,
+    /// What was taken off or placed, the first foremost.
+    pub order: Vec<usize>,
 }
 
 /// What came of it.
@@ -30,8 +32,8 @@ pub(super) enum Descent {
     Stuck(Stuck),
     /// Every order was tried.
     Impossible(Stuck),
-    /// It was stopped.
-    Stopped(Option<Stuck>),
+    /// It was stopped: where it had come farthest, and what was off just then.
+    Stopped(Option<Stuck>, Vec<usize>),
 }
 
 /// A set on the way down, and what was tried from there.
@@ -62,14 +64,14 @@ pub(super) fn take_apart(
         }
         let Some(group) = level.next(candidates, keys, order.last().copied()) else {
             if farthest.as_ref().is_none_or(|stuck| standing.len() < stuck.standing.len()) {
-                farthest =
-                    Some(Stuck { standing: standing.clone(), blocked: std::mem::take(&mut level.blocked) });
+                let blocked = std::mem::take(&mut level.blocked);
+                farthest = Some(Stuck { standing: standing.clone(), blocked, order: order.clone() });
             }
             dead.insert(standing.clone());
             levels.pop();
             let Some(above) = levels.last_mut() else { break };
             if back == backtracks {
-                return farthest.map_or(Descent::Stopped(None), Descent::Stuck);
+                return farthest.map_or(Descent::Stopped(None, order), Descent::Stuck);
             }
             back += 1;
             order.pop();
@@ -79,7 +81,7 @@ pub(super) fn take_apart(
             continue;
         };
         if step(order.len()).is_break() {
-            return Descent::Stopped(farthest);
+            return Descent::Stopped(farthest, order);
         }
         match candidates.try_remove(&standing, group) {
             Ok(()) => {
@@ -95,7 +97,7 @@ pub(super) fn take_apart(
             Err(blocked) => level.blocked.push((group, blocked)),
         }
     }
-    farthest.map_or(Descent::Stopped(None), Descent::Impossible)
+    farthest.map_or(Descent::Stopped(None, order), Descent::Impossible)
 }
 
 impl Level {

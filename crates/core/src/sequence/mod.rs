@@ -37,7 +37,7 @@ pub use check::{Checked, GivenJoint, GivenStep, Violation, check};
 pub use cost::{SequenceCost, cost};
 pub use groups::{Group, GroupError, Groups};
 pub use layers::{LayerOptions, layers};
-pub use outcome::{Joint, Obstacle, ObstacleRule, Outcome, Progress, Step, StepKind, Strategy};
+pub use outcome::{Joint, Obstacle, ObstacleRule, Outcome, Partial, Progress, Step, StepKind, Strategy};
 pub use paper::search_by_paper;
 pub use search::{SearchOptions, Task, search, stiffest_order, whole_frame};
 pub use stability::{Sag, Weight};

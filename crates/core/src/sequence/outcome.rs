@@ -122,17 +122,28 @@ pub struct Outcome {
     pub proved: bool,
     /// What was in the way, where there is none.
     pub obstacle: Option<Obstacle>,
+    /// The longest part of one that was found, where all of it was not.
+    pub partial: Partial,
+}
+
+/// A part of a sequence: the struts of each step, by their places in the structure.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Partial {
+    /// How it begins.
+    pub first: Vec<Vec<usize>>,
+    /// How it ends.
+    pub last: Vec<Vec<usize>>,
 }
 
 impl Outcome {
     /// That there is none, and why.
     #[must_use]
     pub fn impossible(obstacle: Obstacle) -> Self {
-        Self { steps: Vec::new(), strategy: None, proved: true, obstacle: Some(obstacle) }
+        Self { proved: true, ..Self::not_found(Some(obstacle), Partial::default()) }
     }
 
-    pub(super) fn not_found(obstacle: Option<Obstacle>) -> Self {
-        Self { steps: Vec::new(), strategy: None, proved: false, obstacle }
+    pub(super) fn not_found(obstacle: Option<Obstacle>, partial: Partial) -> Self {
+        Self { steps: Vec::new(), strategy: None, proved: false, obstacle, partial }
     }
 
     /// Whether there is a sequence.

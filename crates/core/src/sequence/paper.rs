@@ -8,8 +8,9 @@ use std::ops::ControlFlow;
 use wirebend_frame::ModelError;
 
 use super::candidates::{Blocked, Candidates};
+use super::descent::Stuck;
 use super::group_set::GroupSet;
-use super::outcome::{Obstacle, ObstacleRule, Outcome, Progress, Strategy};
+use super::outcome::{Obstacle, ObstacleRule, Outcome, Partial, Progress, Strategy};
 use super::search::{Task, candidates, found, of_the_whole, told};
 use super::stability::Stability;
 
@@ -51,14 +52,16 @@ pub fn search_by_paper(
     }
     let mut levels = vec![ranked(&candidates, layers, &standing, None)];
     let mut back = 0;
-    let mut farthest: Option<(usize, Vec<(usize, Blocked)>)> = None;
+    let mut farthest: Option<Stuck> = None;
+    let mut stopped = Vec::new();
     while let Some(level) = levels.last_mut() {
         if order.len() == of {
             return Ok(found(&candidates, &order, Strategy::PaperCost));
         }
         let progress = Progress { strategy: Strategy::PaperCost, taken: order.len(), of };
         if should_continue(&progress).is_break() {
-            return Ok(Outcome::not_found(None));
+            stopped = order;
+            break;
         }
         if let Some(group) = level.open.pop() {
             standing.insert(group);
@@ -76,8 +79,9 @@ pub fn search_by_paper(
             continue;
         }
         let tried = levels.pop().unwrap_or_default();
-        if farthest.as_ref().is_none_or(|(built, _)| order.len() > *built) {
-            farthest = Some((order.len(), tried.blocked(&candidates, &standing)));
+        if farthest.as_ref().is_none_or(|stuck| order.len() > stuck.order.len()) {
+            let blocked = tried.blocked(&candidates, &standing);
+            farthest = Some(Stuck { standing: standing.clone(), blocked, order: order.clone() });
         }
         if back == backtracks {
             break;
@@ -87,8 +91,11 @@ pub fn search_by_paper(
             standing.remove(group);
         }
     }
-    let obstacle = farthest.map(|(built, blocked)| {
-        let told = told(&candidates, built + 1, &blocked);
+    let order = farthest.as_ref().map_or(&[][..], |stuck| &stuck.order);
+    let order = if stopped.len() > order.len() { &stopped } else { order };
+    let first = order.iter().map(|&group| candidates.groups.all()[group].struts.clone()).collect();
+    let obstacle = farthest.as_ref().map(|stuck| {
+        let told = told(&candidates, stuck.order.len() + 1, &stuck.blocked);
         match told.rule {
             ObstacleRule::Sags { node, sag_mm } => {
                 Obstacle { rule: ObstacleRule::SagsWith { node, sag_mm }, ..told }
@@ -96,7 +103,7 @@ pub fn search_by_paper(
             _ => told,
         }
     });
-    Ok(Outcome::not_found(obstacle))
+    Ok(Outcome::not_found(obstacle, Partial { first, ..Partial::default() }))
 }
 
 impl Level {

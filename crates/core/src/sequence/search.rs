@@ -15,7 +15,7 @@ use super::free_directions::FreeDirections;
 use super::group_set::GroupSet;
 use super::groups::Groups;
 use super::keys;
-use super::outcome::{Joint, Obstacle, ObstacleRule, Outcome, Progress, Step, StepKind, Strategy};
+use super::outcome::{Joint, Obstacle, ObstacleRule, Outcome, Partial, Progress, Step, StepKind, Strategy};
 use super::stability::{Stability, Weight, unsteady};
 use super::structure::Structure;
 use crate::units::Length;
@@ -68,7 +68,7 @@ pub fn search(
         return Ok(Outcome::impossible(obstacle));
     }
     let mut dead = HashSet::new();
-    let mut rounds = Rounds { of, should_continue, farthest: None };
+    let mut rounds = Rounds { of, should_continue, farthest: None, stopped: Vec::new() };
     let first = keys::from_ground(&candidates);
     let mut stuck = match rounds.descend(&candidates, &first, Strategy::FromGround, 0, &mut dead) {
         Ok(outcome) => return Ok(outcome),
@@ -106,8 +106,12 @@ pub fn search(
             return Ok(outcome);
         }
     }
-    let farthest = rounds.farthest.map(|stuck| obstacle(&candidates, &stuck));
-    Ok(Outcome::not_found(farthest))
+    let farthest = rounds.farthest.as_ref();
+    let order = farthest.map_or(&[][..], |stuck| &stuck.order);
+    let order = if rounds.stopped.len() > order.len() { &rounds.stopped } else { order };
+    let last = order.iter().rev().map(|&group| task.groups.all()[group].struts.clone()).collect();
+    let partial = Partial { last, ..Partial::default() };
+    Ok(Outcome::not_found(farthest.map(|stuck| obstacle(&candidates, stuck)), partial))
 }
 
 /// What keeps the whole frame from being built, whatever the order: a node out of reach, or that it sags too far once it is finished.
@@ -169,6 +173,8 @@ struct Rounds<'a> {
     of: usize,
     should_continue: &'a mut dyn FnMut(&Progress) -> ControlFlow<()>,
     farthest: Option<Stuck>,
+    /// What was taken off when the search was stopped.
+    stopped: Vec<usize>,
 }
 
 impl Rounds<'_> {
@@ -201,10 +207,11 @@ impl Rounds<'_> {
                 self.keep(&stuck);
                 Err(Some(stuck))
             }
-            Descent::Stopped(stuck) => {
+            Descent::Stopped(stuck, order) => {
                 if let Some(stuck) = &stuck {
                     self.keep(stuck);
                 }
+                self.stopped = order;
                 Err(None)
             }
         }
@@ -242,7 +249,7 @@ pub(super) fn found(candidates: &Candidates<'_>, order: &[usize], strategy: Stra
         let max_sag_mm = candidates.sag(&standing).map_or(f64::INFINITY, |sag| sag.mm);
         steps.push(Step { struts: there.struts.clone(), kind, joints, max_sag_mm });
     }
-    Outcome { steps, strategy: Some(strategy), proved: true, obstacle: None }
+    Outcome { steps, strategy: Some(strategy), proved: true, obstacle: None, partial: Partial::default() }
 }
 
 /// A node to which the tip does not get, whatever the order.

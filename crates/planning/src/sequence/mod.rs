@@ -31,8 +31,8 @@ use builder::BuilderSetup;
 use drawn::Drawing;
 pub use drawn::{DrawnSequence, HeadMove, OrderedStep, drawn_sequence};
 pub use report::{
-    ObstacleReport, ObstacleRuleName, SequenceJoint, SequenceResponse, SequenceStepReport, StepTypeName,
-    StrategyName,
+    ObstacleReport, ObstacleRuleName, PartialReport, SequenceJoint, SequenceResponse, SequenceStepReport,
+    StepTypeName, StrategyName,
 };
 
 pub use write::SequenceFormat;

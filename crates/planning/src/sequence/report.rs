@@ -8,7 +8,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::checks::Diagnostic;
 use wirebend_core::sequence::{
-    Checked, GivenStep, Obstacle, ObstacleRule, Outcome, Step, StepKind, Strategy, Structure, Task, cost,
+    Checked, GivenStep, Obstacle, ObstacleRule, Outcome, Partial, Step, StepKind, Strategy, Structure, Task,
+    cost,
 };
 
 use super::builder::BuilderSetup;
@@ -44,6 +45,8 @@ pub struct SequenceResponse {
     pub strategy: Option<StrategyName>,
     /// What was in the way where a search came farthest.
     pub obstacle: Option<ObstacleReport>,
+    /// The longest part of an order that was found; null where all of it was, or none can be.
+    pub partial: Option<PartialReport>,
     pub diagnostics: Vec<DiagnosticReport>,
     /// What was merged, ignored or assumed while reading.
     pub notes: Vec<NoteReport>,
@@ -52,6 +55,15 @@ pub struct SequenceResponse {
     pub timings_ms: BTreeMap<&'static str, f64>,
     #[serde(skip)]
     pub files: Vec<PathBuf>,
+}
+
+/// A part of an order: the edges of each step.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct PartialReport {
+    /// How it begins; empty where the search takes the frame apart from its end.
+    pub first: Vec<Vec<u32>>,
+    /// How it ends; empty where the search builds it up.
+    pub last: Vec<Vec<u32>>,
 }
 
 /// What is placed at once.
@@ -198,6 +210,7 @@ impl Answer {
             proved: true,
             strategy: None,
             obstacle: None,
+            partial: None,
             diagnostics: Vec::new(),
             notes: opened.notes.clone(),
             time_s: None,
@@ -248,6 +261,7 @@ impl Answer {
             response.strategy = outcome.strategy.map(StrategyName::from);
             response.steps = outcome.steps.iter().map(|step| step_report(task, step)).collect();
         } else {
+            response.partial = partial_report(task, outcome);
             response.obstacle = outcome.obstacle.as_ref().map(|obstacle| obstacle_report(task, obstacle));
             diagnostics.extend(findings::not_found(task, outcome.obstacle.as_ref(), outcome.proved));
         }
@@ -325,6 +339,13 @@ fn given_report(
         edges: if several { step.edges.iter().map(|edge| edge.0).collect() } else { Vec::new() },
         joints: if several { joints.collect() } else { Vec::new() },
     }
+}
+
+fn partial_report(task: &Task<'_>, outcome: &Outcome) -> Option<PartialReport> {
+    let Partial { first, last } = &outcome.partial;
+    let edge = |strut: &usize| task.structure.struts()[*strut].edge.0;
+    let edges = |steps: &[Vec<usize>]| steps.iter().map(|step| step.iter().map(edge).collect()).collect();
+    (first.len() + last.len() > 0).then(|| PartialReport { first: edges(first), last: edges(last) })
 }
 
 fn obstacle_report(task: &Task<'_>, obstacle: &Obstacle) -> ObstacleReport {

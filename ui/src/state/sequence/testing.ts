@@ -26,6 +26,7 @@ export const sequenceDrawn = (edges: readonly number[] = [0, 1]): DrawnSequence 
     proved: true,
     strategy: "from-ground",
     obstacle: null,
+    partial: null,
     diagnostics: [],
     notes: [],
     time_s: 30,

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use wirebend_core::sequence::{
-    Groups, LayerOptions, Outcome, SearchOptions, Strategy, Structure, Task, cost, layers, search,
+    Groups, LayerOptions, Outcome, Partial, SearchOptions, Strategy, Structure, Task, cost, layers, search,
     search_by_paper, stiffest_order,
 };
 
@@ -35,6 +35,22 @@ fn frames_that_others_built_are_built_at_once() {
         assert_eq!(agreed(&task, &outcome).len(), structure.struts().len());
         assert_eq!(found(&structure), outcome, "{name}: the same question has the same answer");
     }
+}
+
+/// As far as it has come: what a search takes off first is built last.
+#[test]
+fn a_search_that_is_stopped_has_the_last_steps() {
+    let [(_, structure), _] = both();
+    let whole = found(&structure);
+    let (builder, weight, groups) = (builder(), abs(), Groups::single(&structure));
+    let task = Task { structure: &structure, groups: &groups, builder: &builder, weight: &weight };
+    let stopped = search(&task, &SearchOptions::default(), &mut |progress| {
+        if progress.taken == 100 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    })
+    .unwrap();
+    assert!(!stopped.is_found() && !stopped.proved);
+    let last = whole.steps[whole.steps.len() - 100..].iter().map(|step| step.struts.clone());
+    assert_eq!(stopped.partial, Partial { first: Vec::new(), last: last.collect() });
 }
 
 /// The largest sags of orders that an independent program found by stiffness alone.

@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 
 use nalgebra::{Point3, Vector3};
 use wirebend_core::sequence::{
-    GivenJoint, GivenStep, Groups, ObstacleRule, SearchOptions, StepKind, Structure, StrutBuilder, Task,
-    Violation, check, search, search_by_paper,
+    GivenJoint, GivenStep, Groups, ObstacleRule, Partial, SearchOptions, StepKind, Structure, StrutBuilder,
+    Task, Violation, check, search, search_by_paper,
 };
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{EdgeId, VertexId};
@@ -112,11 +112,14 @@ fn by_the_cost_of_the_paper_too_it_is_named_what_is_in_the_way() {
         frame(&[[0.0; 3], [0.0, 0.0, 40.0], [30.0, 0.0, 40.0], [30.0, 0.0, 0.0]], &[[0, 1], [1, 2], [3, 2]]);
     let mut wide = builder();
     wide.clearance = Length::from_mm(80.0).unwrap();
-    let obstacle = by_paper(&pillars, &wide, false).obstacle.unwrap();
+    let outcome = by_paper(&pillars, &wide, false);
+    assert_eq!((outcome.partial.first.len(), outcome.partial.last.len()), (1, 0), "a pillar stands");
+    let obstacle = outcome.obstacle.unwrap();
     assert_eq!((obstacle.step, obstacle.rule), (2, ObstacleRule::NoDirection));
     assert!(!obstacle.struts.is_empty() && obstacle.strut.is_some(), "{obstacle:?}");
     let stopped = by_paper(&pillars, &builder(), true);
     assert_eq!((stopped.obstacle, stopped.proved), (None, false), "nothing was in the way of it");
+    assert_eq!(stopped.partial, Partial::default(), "nor did anything stand");
 }
 
 #[test]
