@@ -350,7 +350,16 @@ fn what_is_no_frame_and_no_sequence_is_refused() {
     assert!(refused.contains("the cost of FrameFab is that of single struts"), "{refused}");
     write("none.json", "{\"steps\": [{\"edge\": -3}]}");
     let none = ask(&[&[frame.as_str()], &machine[..], &["--check", "none.json"]].concat()).ended(3).err;
-    assert!(none.contains("none.json, line 1"), "{none}");
+    assert!(none.contains("none.json, line 1: step 1: "), "{none}");
+    // A file of ours that is cut off, or has no number where one has to be.
+    let broken = "{\"machine\": \"mine\",\n\"steps\": [\n{\"edge\": 0, \"direction\": [";
+    for (rest, line) in [("", 3), ("NaN, 0, 0]}]}", 3), ("0, 0, 1]}\n", 4)] {
+        write("broken.json", &format!("{broken}{rest}"));
+        let refused =
+            ask(&[&[frame.as_str()], &machine[..], &["--check", "broken.json"]].concat()).ended(3).err;
+        assert!(refused.contains(&format!("broken.json, line {line}")), "{refused}");
+        assert!(!refused.contains("FrameFab"), "{refused}");
+    }
     // A length that is no number, and none at all; also of a wire's joint.
     for direction in ["[1e200, 0, 0]", "[0, 0, 0]", "[0.3, 0, 0]"] {
         let step = |keys: &str| format!("{{\"steps\": [\n{{\"edge\": 0, {keys}}}]}}");

@@ -62,19 +62,33 @@ pub(super) fn read(input: &Input, opened: &Opened) -> Result<Vec<GivenStep>, Pla
     let file: OwnFile = serde_json::from_slice(&bytes).map_err(|error| PlanningError::SequenceFile {
         name: name.clone(),
         line: error.line(),
-        reason: error.to_string(),
+        reason: wrong_step(&bytes).unwrap_or_else(|| error.to_string()),
     })?;
     Ok(file.steps.into_iter().map(step).collect())
 }
 
-/// Whether it has steps; everything else is told by the reader of `FrameFab`'s files.
+/// Whether it has steps, or would have if it were whole; everything else is told by the reader of `FrameFab`'s files.
 fn is_own(bytes: &[u8]) -> bool {
     #[derive(Deserialize)]
     struct Shape {
         #[serde(rename = "steps")]
         _steps: serde::de::IgnoredAny,
     }
-    serde_json::from_slice::<Shape>(bytes).is_ok()
+    let named = || String::from_utf8_lossy(bytes).contains("\"steps\"");
+    match serde_json::from_slice::<Shape>(bytes) {
+        Ok(_) => true,
+        Err(error) => !error.is_data() && named(),
+    }
+}
+
+/// The first step that is none, and why, in a file that is JSON.
+fn wrong_step(bytes: &[u8]) -> Option<String> {
+    let file: serde_json::Value = serde_json::from_slice(bytes).ok()?;
+    let wrong = |(k, step): (usize, &serde_json::Value)| {
+        let error = OwnStep::deserialize(step).err()?;
+        Some(format!("step {}: {error}", k + 1))
+    };
+    file.get("steps")?.as_array()?.iter().enumerate().find_map(wrong)
 }
 
 fn step(own: OwnStep) -> GivenStep {
