@@ -4,7 +4,7 @@
 `prefixes PEER FILE` solves a frame again and again while it is built, strut by strut in the order of its members from `first` on, and
 prints how long that takes and the largest displacement of each. `solve PEER FILE` reads a frame and prints one JSON line: how long the peer takes to build its model and to solve it, medians, and the
 largest displacement. `modes PEER FILE` prints how long it takes to find the lowest modes that bend something, and their frequencies.
-PyNite and pyconmech are programs for frames; `scipy` is the textbook's element put together with NumPy and solved by `spsolve`,
+PyNite, pyconmech and OpenSees are programs for frames, the last where its libraries are; `scipy` is the textbook's element put together with NumPy and solved by `spsolve`,
 `scipy-best` by `splu` with the ordering that suits symmetric matrices. `eigsh` is ARPACK, shift-invert with SciPy's own
 factorisation, `eigsh-symmetric` with that of `scipy-best`.
 
@@ -21,6 +21,10 @@ import time
 import numpy
 import scipy.sparse
 import scipy.sparse.linalg
+
+
+class Absent(Exception):
+    """A peer that cannot be loaded here."""
 
 
 class Frame:
@@ -225,7 +229,49 @@ def modes(frame, is_symmetric):
     return {"ms": ms, "hz": (numpy.sqrt(numpy.sort(squared)[rigid:]) / (2 * numpy.pi)).tolist()}
 
 
+def by_opensees(frame):
+    # Beside what its package brings it needs libblas.so.3 of the system, and says so by an error of its own.
+    try:
+        import openseespy.opensees as ops
+    except (ImportError, RuntimeError) as error:
+        raise Absent(str(error)) from error
+
+    start = time.perf_counter()
+    ops.wipe()
+    ops.model("basic", "-ndm", 3, "-ndf", 6)
+    used = numpy.unique(frame.members)
+    for node in used.tolist():
+        ops.node(node, *frame.nodes[node].tolist())
+    for node in frame.clamped:
+        ops.fix(node, 1, 1, 1, 1, 1, 1)
+    ops.geomTransf("Linear", 1, 0.0, 0.0, 1.0)
+    ops.geomTransf("Linear", 2, 0.0, 1.0, 0.0)
+    ops.timeSeries("Constant", 1)
+    ops.pattern("Plain", 1, 1)
+    spans = frame.nodes[frame.members[:, 1]] - frame.nodes[frame.members[:, 0]]
+    local = axes_of(spans) @ numpy.array([0.0, 0.0, -frame.weight])
+    along_z = numpy.hypot(spans[:, 0], spans[:, 1]) < 1e-6 * numpy.linalg.norm(spans, axis=1)
+    section = (frame.area, frame.e, frame.g, frame.j, frame.i, frame.i)
+    for member, (ends, load, upright) in enumerate(zip(frame.members.tolist(), local.tolist(), along_z.tolist(), strict=True)):
+        ops.element("elasticBeamColumn", member, *ends, *section, 2 if upright else 1)
+        along, y, z = load
+        ops.eleLoad("-ele", member, "-type", "-beamUniform", y, z, along)
+    ops.system("UmfPack")
+    ops.numberer("RCM")
+    ops.constraints("Plain")
+    ops.integrator("LoadControl", 1.0)
+    ops.algorithm("Linear")
+    ops.analysis("Static")
+    built = time.perf_counter()
+    if ops.analyze(1) != 0:
+        raise RuntimeError("OpenSees does not solve it")
+    solved = time.perf_counter()
+    moved = numpy.array([ops.nodeDisp(node)[:3] for node in used.tolist()])
+    return built - start, solved - built, largest(moved)
+
+
 SOLVERS = {
+    "opensees": by_opensees,
     "pyconmech": by_pyconmech,
     "pynite": by_pynite,
     "scipy": lambda frame: by_scipy(frame, False),
@@ -264,7 +310,10 @@ def main():
     given = parser.parse_args()
     frame = Frame(given.file)
     if given.task == "solve":
-        print(json.dumps({"peer": given.peer, **solve(frame, given.peer)}))
+        try:
+            print(json.dumps({"peer": given.peer, **solve(frame, given.peer)}))
+        except Absent as absent:
+            print(json.dumps({"peer": given.peer, "absent": str(absent)}))
     elif given.task == "prefixes":
         print(json.dumps({"peer": given.peer, **prefixes(frame, given.peer)}))
     else:

@@ -15,6 +15,9 @@ use wirebend_frame::{Assembly, Flexibility, Load, MemberId, ModeKind, ModeSearch
 /// The median of so many runs is taken; of large frames of so many.
 const RUNS: usize = 21;
 const RUNS_OF_LARGE: usize = 5;
+/// Programs for frames that are asked, and libraries.
+const PEERS: &[&str] = &["pyconmech", "pynite", "opensees", "scipy", "scipy-best"];
+const LARGE_PEERS: &[&str] = &["opensees", "scipy", "scipy-best"];
 /// From so many members on a frame is large: peers that loop over members in Python take minutes.
 const LARGE: usize = 1000;
 /// Ours and a peer's displacements and frequencies agree so well, as a share.
@@ -56,10 +59,13 @@ fn solved(python: &str, folder: &Path, name: &str, model: &Model) -> Result<()> 
         analysed + factored
     );
     let file = written(folder, model, 0)?;
-    let peers: &[&str] =
-        if is_large { &["scipy", "scipy-best"] } else { &["pyconmech", "pynite", "scipy", "scipy-best"] };
+    let peers: &[&str] = if is_large { LARGE_PEERS } else { PEERS };
     for peer in peers {
         let theirs = ask(python, &["solve", peer], &file)?;
+        if theirs.get("absent").is_some() {
+            print!(" {peer} cannot be loaded here;");
+            continue;
+        }
         let [build, solve, most] = ["build_ms", "solve_ms", "max_mm"].map(|key| theirs[key].as_f64());
         let (build, solve) = (build.context("no time")?, solve.context("no time")?);
         let (most, ours) = (most.context("no displacement")?, response.max_displacement().1);
