@@ -106,10 +106,11 @@ impl Building<'_> {
                 self.stand(step, edges, *vertex, axes, into_the_open);
             }
         }
-        // A strut is drawn from one of its ends, a wire is fastened at all.
-        let needed = if edges.len() > 1 { &joined[..] } else { &joined[..joined.len().min(1)] };
+        // A strut is drawn from one of its ends, a wire or rod is fastened at all.
+        let placed = edges.len() > 1 || task.machine.places;
+        let needed = if placed { &joined[..] } else { &joined[..joined.len().min(1)] };
         for &vertex in needed {
-            let there = given.joints.iter().any(|(joint, _)| edges.len() == 1 || *joint == vertex);
+            let there = given.joints.iter().any(|(joint, _)| !placed || *joint == vertex);
             if !there {
                 self.faults.push(Fault::JointMissing { step, vertex });
             }
@@ -140,12 +141,13 @@ impl Building<'_> {
         let task = self.task;
         let at = task.at(vertex);
         let (mut motion, mut touched, mut seen) = ([at; 2], vec![vertex], self.standing.clone());
-        if let [strut] = edges {
+        let placed = edges.len() > 1 || task.machine.places;
+        if let ([strut], false) = (edges, placed) {
             let ends = task.edges[strut];
             motion[1] = task.at(if ends[0] == vertex { ends[1] } else { ends[0] });
             touched = ends.to_vec();
         } else {
-            // A wire is there as a whole when it is fastened.
+            // It is there as a whole when it is fastened.
             seen.extend(edges);
         }
         let max = if into_the_open { task.machine.max_create_deg } else { task.machine.max_connect_deg };
@@ -159,7 +161,7 @@ impl Building<'_> {
                 continue;
             }
             let axis = axis / length;
-            let deg = if edges.len() > 1 { 0.0 } else { axis.angle(&(motion[1] - motion[0])).to_degrees() };
+            let deg = if placed { 0.0 } else { axis.angle(&(motion[1] - motion[0])).to_degrees() };
             if deg >= max {
                 leans = Some(leans.map_or(deg, |least| least.min(deg)));
                 continue;

@@ -66,6 +66,8 @@ pub struct Task {
 pub struct Machine {
     /// The outline of its head from the tip upwards: `[z, radius]` of each corner, mm; convex.
     pub outline: Vec<[f64; 2]>,
+    /// Whether it stands at the joints of a single strut, too, and does not draw it.
+    pub places: bool,
     /// The angle between its axis and its way stays below this for a strut with one end in the open.
     pub max_create_deg: f64,
     /// The same for a strut between vertices that are built.
@@ -89,7 +91,7 @@ pub struct Step {
     pub edges: Vec<u32>,
     /// What it is said to be, where it is.
     pub kind: Option<Kind>,
-    /// The vertices at which the head stands, for a strut the one from which it goes to the other end, each with directions of its axis, of
+    /// The vertices at which the head stands, for a strut that is drawn the one from which it goes to the other end, each with directions of its axis, of
     /// which one has to be free.
     pub joints: Vec<(u32, Vec<Vector3<f64>>)>,
 }

@@ -31,6 +31,7 @@ impl Task {
             gravity: Vector3::new(0.0, 0.0, -9806.65),
             machine: Machine {
                 outline: vec![[0.0, 0.0], [20.0, 11.547], [120.0, 11.547]],
+                places: false,
                 max_create_deg: 60.0,
                 max_connect_deg: 90.0,
                 touch_mm: 0.1,

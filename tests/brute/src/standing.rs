@@ -149,6 +149,7 @@ mod tests {
         };
         let machine = Machine {
             outline: vec![[0.0, 1.0], [1.0, 1.0]],
+            places: false,
             max_create_deg: 90.0,
             max_connect_deg: 90.0,
             touch_mm: 0.0,

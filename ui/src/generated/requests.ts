@@ -1779,7 +1779,7 @@ export interface OrderedStep {
   direction?: [number, number, number] | null;
   edge: number;
   /**
-   * All edges of a wire, which is fastened wherever it meets what is built by then; not there for a strut.
+   * All edges of a wire or rod, which is fastened wherever it meets what is built by then; not there for a strut that is drawn.
    */
   edges?: number[];
   /**

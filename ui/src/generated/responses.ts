@@ -6144,7 +6144,7 @@ export interface SequenceStepReport {
    */
   edge: number;
   /**
-   * All edges of a wire or rod; not there for a strut.
+   * All edges of a wire or rod; not there for a strut that is drawn.
    */
   edges?: number[];
   /**
@@ -6156,7 +6156,7 @@ export interface SequenceStepReport {
    */
   from_vertex: number | null;
   /**
-   * How the head stands at each joint of a wire or rod; not there for a strut.
+   * How the head stands at each joint of a wire or rod; not there for a strut that is drawn.
    */
   joints?: SequenceJoint[];
   /**

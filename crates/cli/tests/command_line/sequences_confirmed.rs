@@ -69,3 +69,33 @@ fn a_sequence_on_other_supports_is_that_of_a_frame_on_these() {
     let faults = task.faults(&[last]);
     assert!(faults.contains(&Fault::Floating { step: 1 }), "{faults:?}");
 }
+
+/// A machine of one's own that welds what is placed: the head stands at both ends of a rod, and draws none.
+#[test]
+fn rods_are_fastened_and_not_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let builders = folder.path().join("mine/strut-builders");
+    std::fs::create_dir_all(&builders).unwrap();
+    let frame =
+        root().join("crates/files/tests/data/assembly-instances/simple_frame.json").display().to_string();
+    for process in ["extrude", "weld", "place"] {
+        let child = format!(
+            r#"{{"schema_version": 1, "kind": "strut-builder", "id": "mine", "inherits": "framefab-extruder",
+                "process": {{"value": "{process}", "source": "mine", "measured": true}}}}"#
+        );
+        std::fs::write(builders.join("mine.json"), child).unwrap();
+        let ask = ["--profiles", "mine", "sequence", &frame, "--machine", "mine", "--json"];
+        let found = run_in(folder.path(), &ask, b"").ended(0).json();
+        let steps = Step::printed(&found);
+        let mut task = task(folder.path(), &frame);
+        task.machine.places = process != "extrude";
+        assert_eq!(task.faults(&steps), [], "{process}");
+        let both_ends = steps.iter().filter(|step| step.joints.len() == 2).count();
+        assert_eq!(both_ends > 0, task.machine.places, "{process}");
+        std::fs::write(folder.path().join("found.json"), found.to_string()).unwrap();
+        let again = [&ask[..], &["--check", "found.json"]].concat();
+        assert_eq!(run_in(folder.path(), &again, b"").ended(0).json()["feasible"], true, "{process}");
+        let paper = [&ask[..], &["--cost", "paper"]].concat();
+        run_in(folder.path(), &paper, b"").ended(if task.machine.places { 2 } else { 0 });
+    }
+}

@@ -10,6 +10,9 @@ use crate::units::{Angle, Length};
 pub struct StrutBuilder {
     /// Its shape from the tip.
     pub head: Head,
+    /// Whether it places every strut whole, as wires and rods are, and stands at its joints alone; else it draws a strut that is alone
+    /// from one end to the other.
+    pub places: bool,
     /// In which directions its axis can stand, from the tip into the head.
     pub directions: HeadDirections,
     /// The angle between its axis and its way stays below this while it draws a strut into the open.

@@ -80,15 +80,15 @@ impl<'a> FreeDirections<'a> {
         }
     }
 
-    /// Where the head can stand while a group is placed among the struts that stand: for a strut the end from which more directions
-    /// are free, for several struts every joint. `built` tells which nodes are. Empty where nothing of it is built.
+    /// Where the head can stand while a group is placed among the struts that stand: for a strut that is drawn the end from which more
+    /// directions are free, for what is placed every joint. `built` tells which nodes are. Empty where nothing of it is built.
     pub fn of(
         &self,
         group: &Group,
         built: &dyn Fn(usize) -> bool,
         stands: &dyn Fn(usize) -> bool,
     ) -> Vec<Free> {
-        let [strut] = group.struts[..] else {
+        let Some(strut) = self.drawn(group) else {
             let joints = group.nodes.iter().filter(|&&node| built(node));
             let all = DirectionSet::first(self.builder.directions.all().len());
             // The group is there at once, and in the way as what stands.
@@ -111,6 +111,14 @@ impl<'a> FreeDirections<'a> {
         }
     }
 
+    /// The strut that a group is, where the head draws it.
+    fn drawn(&self, group: &Group) -> Option<usize> {
+        match group.struts[..] {
+            [strut] if !self.builder.places => Some(strut),
+            _ => None,
+        }
+    }
+
     /// The struts that stand and are in the way of a group in some of the directions that it could use, with how many.
     pub fn in_the_way(
         &self,
@@ -118,7 +126,7 @@ impl<'a> FreeDirections<'a> {
         built: &dyn Fn(usize) -> bool,
         stands: &dyn Fn(usize) -> bool,
     ) -> Vec<(usize, usize)> {
-        let [strut] = group.struts[..] else {
+        let Some(strut) = self.drawn(group) else {
             let all = DirectionSet::first(self.builder.directions.all().len());
             let joints = group.nodes.iter().filter(|&&node| built(node));
             return joints.flat_map(|&node| self.blocking(Carried::At(node), all, stands)).collect();

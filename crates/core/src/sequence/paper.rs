@@ -249,6 +249,7 @@ mod tests {
         let (mm, deg) = (|mm| Length::from_mm(mm).unwrap(), |deg| Angle::from_deg(deg).unwrap());
         let builder = StrutBuilder {
             head: Head::new(&[[0.0, 0.0], [20.0, 11.547], [120.0, 11.547]]).unwrap(),
+            places: false,
             directions: HeadDirections::each(deg(18.0)).unwrap(),
             max_create: deg(60.0),
             max_connect: deg(90.0),

@@ -5,9 +5,9 @@ use wirebend_core::sequence::{Head, HeadDirections, Pace, StrutBuilder};
 use wirebend_core::units::{Angle, Length};
 use wirebend_error::InputName;
 use wirebend_frame::Section;
-use wirebend_profile::StrutBuilderFigures;
+use wirebend_profile::{StrutBuilderFigures, StrutProcess};
 
-use super::{SequenceRequest, material_choices};
+use super::{GroupBy, SequenceRequest, material_choices};
 use crate::design::Opened;
 use crate::frame::FrameMaterial;
 use crate::{Installation, PlanningError};
@@ -37,7 +37,9 @@ impl BuilderSetup {
         } else {
             app.frame_material(opened, &material_choices(request))?
         };
-        let builder = builder(&request.machine, &figures, &material, request.epsilon_mm)?;
+        let mut builder = builder(&request.machine, &figures, &material, request.epsilon_mm)?;
+        // What was bent before is not drawn, be it a single strut.
+        builder.places |= request.group_by == GroupBy::Wire;
         let section = *material.section();
         let outline = figures.head.iter().map(|point| [point.z_mm, point.r_mm]).collect();
         Ok(Self { machine: request.machine.clone(), material, builder, section, outline })
@@ -57,6 +59,7 @@ fn builder(
     let corner = |corner: [f64; 3]| Point3::from(corner);
     Ok(StrutBuilder {
         head: Head::new(&outline).map_err(|error| unusable(error.to_string()))?,
+        places: figures.process != StrutProcess::Extrude,
         directions: HeadDirections::each(deg(figures.direction_step_deg)?)
             .map_err(|error| unusable(error.to_string()))?,
         max_create: deg(figures.create_approach_deg)?,

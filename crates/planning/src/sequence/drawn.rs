@@ -17,7 +17,7 @@ use crate::{Installation, PlanningError, Progress};
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 pub struct OrderedStep {
     pub edge: u32,
-    /// All edges of a wire, which is fastened wherever it meets what is built by then; not there for a strut.
+    /// All edges of a wire or rod, which is fastened wherever it meets what is built by then; not there for a strut that is drawn.
     #[serde(default)]
     pub edges: Vec<u32>,
     /// The vertex from which the head draws it, where that is built by then; otherwise it is its other end.
@@ -121,8 +121,9 @@ fn ordered(order: &[OrderedStep], task: &Task<'_>) -> Vec<GivenStep> {
     let mut built: BTreeSet<VertexId> =
         structure.nodes().iter().filter(|node| node.support).map(|node| node.vertex).collect();
     let steps = order.iter().map(|step| {
-        if step.edges.len() > 1 {
-            return ordered_wire(&step.edges, &mut built, task);
+        if step.edges.len() > 1 || task.builder.places {
+            let edges = if step.edges.is_empty() { &[step.edge][..] } else { &step.edges };
+            return ordered_wire(edges, &mut built, task);
         }
         let edge = EdgeId(step.edge);
         let strut = structure.strut_of(edge);

@@ -116,20 +116,14 @@ fn run(
     if let Some(output) = &request.output {
         output.check()?;
     }
-    if request.group_by == GroupBy::Wire && request.cost == CostName::Paper {
-        return Err(PlanningError::Value {
-            input: Some(InputName::GroupBy),
-            name: InputName::GroupBy.words(),
-            value: "wire".to_owned(),
-            expected: "edge: the cost of FrameFab is that of single struts",
-        });
-    }
+    cost_fits(request, request.group_by == GroupBy::Wire)?;
     let limit = seconds(request.limit_s)?;
     let started = Instant::now();
     let mut opened = request.design.open(progress)?.with_wireframe()?;
     opened.require_designed()?;
     opened.document.wireframe = request.supports.hold(&opened)?;
     let setup = BuilderSetup::new(app, &opened, request)?;
+    cost_fits(request, setup.builder.places)?;
     let mut answer = report::Answer::new(&opened, &setup);
     answer.took("read", started);
     let mut drawing = Drawing::new(&setup);
@@ -222,6 +216,24 @@ fn rechecked(task: &Task<'_>, outcome: &Outcome, progress: &dyn Progress) -> Vec
     let given: Vec<GivenStep> =
         outcome.steps.iter().map(|step| GivenStep::of(step, task.structure, task.builder)).collect();
     sequence::check(task, &given).violations.iter().map(findings::violation).collect()
+}
+
+/// Whether the cost that is asked for is one of what is built: that of `FrameFab` is one of struts that are drawn.
+fn cost_fits(request: &SequenceRequest, places: bool) -> Result<(), PlanningError> {
+    if !places || request.cost != CostName::Paper {
+        return Ok(());
+    }
+    let by_wire = request.group_by == GroupBy::Wire;
+    Err(PlanningError::Value {
+        input: by_wire.then_some(InputName::GroupBy),
+        name: if by_wire { InputName::GroupBy.words() } else { "cost" },
+        value: if by_wire { "wire" } else { "paper" }.to_owned(),
+        expected: if by_wire {
+            "edge: the cost of FrameFab is that of single struts"
+        } else {
+            "sharing: the cost of FrameFab is that of struts that are drawn, and this machine places them"
+        },
+    })
 }
 
 /// Groups by what the design says of its wires.

@@ -81,10 +81,10 @@ pub struct SequenceStepReport {
     pub free_directions: usize,
     /// The largest displacement of a vertex once it is placed; null where what is built does not stand.
     pub max_displacement_mm: Option<f64>,
-    /// All edges of a wire or rod; not there for a strut.
+    /// All edges of a wire or rod; not there for a strut that is drawn.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub edges: Vec<u32>,
-    /// How the head stands at each joint of a wire or rod; not there for a strut.
+    /// How the head stands at each joint of a wire or rod; not there for a strut that is drawn.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub joints: Vec<SequenceJoint>,
 }
@@ -282,7 +282,7 @@ impl Answer {
             let free = checked.free.get(k).map(Vec::as_slice).unwrap_or_default();
             let (is, sag_mm) =
                 (checked.kinds.get(k).copied().flatten(), checked.sags_mm.get(k).copied().flatten());
-            response.steps.push(given_report(step, is, free, sag_mm));
+            response.steps.push(given_report(task, step, is, free, sag_mm));
         }
         let sags: Option<Vec<f64>> = checked.sags_mm.iter().copied().collect();
         response.max_displacement_mm =
@@ -303,7 +303,7 @@ fn step_report(task: &Task<'_>, step: &Step) -> SequenceStepReport {
     };
     let joints: Vec<SequenceJoint> = step.joints.iter().map(joint).collect();
     let edges: Vec<u32> = step.struts.iter().map(|&strut| structure.struts()[strut].edge.0).collect();
-    let several = edges.len() > 1;
+    let placed = edges.len() > 1 || task.builder.places;
     SequenceStepReport {
         edge: edges.first().copied().unwrap_or_default(),
         from_vertex: joints.first().map(|joint| joint.vertex),
@@ -311,18 +311,19 @@ fn step_report(task: &Task<'_>, step: &Step) -> SequenceStepReport {
         direction: joints.first().map(|joint| joint.direction),
         free_directions: joints.iter().map(|joint| joint.free_directions).min().unwrap_or(0),
         max_displacement_mm: Some(step.max_sag_mm),
-        edges: if several { edges } else { Vec::new() },
-        joints: if several { joints } else { Vec::new() },
+        edges: if placed { edges } else { Vec::new() },
+        joints: if placed { joints } else { Vec::new() },
     }
 }
 
 fn given_report(
+    task: &Task<'_>,
     step: &GivenStep,
     is: Option<StepKind>,
     free: &[usize],
     sag_mm: Option<f64>,
 ) -> SequenceStepReport {
-    let several = step.edges.len() > 1;
+    let placed = step.edges.len() > 1 || task.builder.places;
     let direction =
         |joint: &wirebend_core::sequence::GivenJoint| joint.directions.first().map(|way| (*way).into());
     let joints = step.joints.iter().zip(free).filter_map(|(joint, &free_directions)| {
@@ -336,8 +337,8 @@ fn given_report(
         direction: step.joints.first().and_then(direction),
         free_directions: free.iter().copied().min().unwrap_or(0),
         max_displacement_mm: sag_mm,
-        edges: if several { step.edges.iter().map(|edge| edge.0).collect() } else { Vec::new() },
-        joints: if several { joints.collect() } else { Vec::new() },
+        edges: if placed { step.edges.iter().map(|edge| edge.0).collect() } else { Vec::new() },
+        joints: if placed { joints.collect() } else { Vec::new() },
     }
 }
 

@@ -111,3 +111,18 @@ it("keeps a sequence whose new order could not be checked", async () => {
   expect(at.host.textContent).toContain("The order was not checked");
   expect(at.host.textContent).toContain("Largest sag");
 });
+
+it("names of a wire how many edges more it has, of a rod its edge alone", async () => {
+  const drawn = sequenceDrawn();
+  const [rod, wire] = drawn.sequence.steps;
+  if (!rod || !wire) throw new Error("there are no steps");
+  const steps = [
+    { ...rod, edges: [0] },
+    { ...wire, edges: [1, 5, 6] },
+  ];
+  ask.mockResolvedValue({ ...drawn, sequence: { ...drawn.sequence, steps } });
+  at.show(<SequenceSection />);
+  await press("Find");
+  const named = [...at.host.querySelectorAll("[role=option]")].map((row) => row.children[1]?.textContent);
+  expect(named).toEqual(["0", "1 +2"]);
+});

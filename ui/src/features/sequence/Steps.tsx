@@ -72,6 +72,7 @@ export function Steps({ drawn }: { readonly drawn: DrawnSequence }) {
           const step = steps[index];
           if (!step) return null;
           const sag = step.max_displacement_mm;
+          const others = (step.edges?.length ?? 1) - 1;
           return (
             // biome-ignore lint/a11y/useFocusableInteractive: the list has the focus, and names the option by aria-activedescendant
             // biome-ignore lint/a11y/useKeyWithClickEvents: the list hears the keys
@@ -98,8 +99,8 @@ export function Steps({ drawn }: { readonly drawn: DrawnSequence }) {
               onClick={() => slideTo(index + 1)}
             >
               <span>{index + 1}</span>
-              <span title={step.edges ? `Edges ${step.edges.join(", ")}` : undefined}>
-                {step.edges ? `${step.edge} +${step.edges.length - 1}` : step.edge}
+              <span title={others > 0 ? `Edges ${step.edges?.join(", ")}` : undefined}>
+                {others > 0 ? `${step.edge} +${others}` : step.edge}
               </span>
               <span className="ellipsis" title={KINDS[step.type]}>
                 {SHORT_KINDS[step.type]}

@@ -27,32 +27,27 @@ const ROUNDING_MM: f64 = 0.002;
 /// So often a part is narrowed down to a little more than half: to less than a millionth.
 const NARROWINGS: usize = 32;
 
-/// Along a single strut from the vertex, or standing at it.
-pub(super) fn way(structure: &Structure, struts: &[usize], vertex: VertexId) -> Way {
+/// Along a strut that is drawn from the vertex, or standing at it.
+pub(super) fn way(structure: &Structure, drawn: Option<usize>, vertex: VertexId) -> Way {
     let at = |node: usize| structure.nodes()[node].at;
-    let ends = structure.struts()[struts[0]].ends;
-    let [a, b] = ends.map(|node| structure.nodes()[node].vertex);
-    let mut start =
-        structure.nodes().iter().find(|node| node.vertex == vertex).map_or(at(ends[0]), |node| node.at);
-    let mut along = None;
-    let mut touched = vec![vertex];
-    if struts.len() == 1 {
+    if let Some(strut) = drawn {
+        let ends = structure.struts()[strut].ends;
+        let [a, b] = ends.map(|node| structure.nodes()[node].vertex);
         let [from, to] = if vertex == b { [ends[1], ends[0]] } else { ends };
-        (start, along) = (at(from), Some(at(to) - at(from)));
-        touched = vec![a, b];
+        return Way { from: at(from), along: Some(at(to) - at(from)), touched: vec![a, b] };
     }
-    Way { from: start, along, touched }
+    let start = structure.nodes().iter().find(|node| node.vertex == vertex);
+    Way { from: start.map_or_else(Point3::origin, |node| node.at), along: None, touched: vec![vertex] }
 }
 
-/// The first of the struts that stand, or for a wire of its own, that the head meets.
+/// The first of the struts that stand, or of `own` that is placed, that the head meets.
 pub(super) fn first_met(
     task: &Task<'_>,
     standing: &[usize],
-    placed: &[usize],
+    own: &[usize],
     way: &Way,
     axis: &Vector3<f64>,
 ) -> Option<Met> {
-    let own = if placed.len() > 1 { placed } else { &[] };
     standing.iter().chain(own).find_map(|&strut| {
         let ends = task.structure.struts()[strut].ends.map(|node| &task.structure.nodes()[node]);
         let least = if ends.iter().any(|end| way.touched.contains(&end.vertex)) {

@@ -148,10 +148,11 @@ impl Run<'_> {
                 }
             }
         }
-        // A strut is drawn from one end; a wire is fastened wherever it meets what is built.
-        let needed = if struts.len() > 1 { joined.len() } else { joined.len().min(1) };
+        // A strut is drawn from one end; a wire or rod is fastened wherever it meets what is built.
+        let placed = self.is_placed(struts);
+        let needed = if placed { joined.len() } else { joined.len().min(1) };
         let given = |vertex: &VertexId| step.joints.iter().any(|joint| joint.vertex == *vertex);
-        if struts.len() > 1 || step.joints.is_empty() {
+        if placed || step.joints.is_empty() {
             for &vertex in joined[..needed].iter().filter(|vertex| !given(vertex)) {
                 self.found(Violation::JointMissing { step: number, vertex });
             }
@@ -184,10 +185,17 @@ impl Run<'_> {
         }
     }
 
+    /// Whether struts are placed at once and whole, and not drawn.
+    fn is_placed(&self, struts: &[usize]) -> bool {
+        struts.len() > 1 || self.task.builder.places
+    }
+
     /// The head at one joint: one of the given directions has to be free. Which are.
     fn head(&mut self, step: usize, joint: &GivenJoint, struts: &[usize], connects: bool) -> Vec<usize> {
         let (structure, builder) = (self.task.structure, self.task.builder);
-        let way = head::way(structure, struts, joint.vertex);
+        let placed = self.is_placed(struts);
+        let way = head::way(structure, (!placed).then_some(struts[0]), joint.vertex);
+        let own = if placed { struts } else { &[] };
         let [mut steepest, mut contact] = [None::<Violation>, None];
         let mut free = Vec::new();
         for (place, direction) in joint.directions.iter().enumerate() {
@@ -200,7 +208,7 @@ impl Run<'_> {
             let max = if connects { builder.max_connect } else { builder.max_create };
             let angle = Angle::computed(way.along.map_or(0.0, |along| axis.angle(&along)));
             // Directions are often written with three digits.
-            if struts.len() == 1 && angle.rad() > max.rad() + given::ROUNDING_RAD {
+            if !placed && angle.rad() > max.rad() + given::ROUNDING_RAD {
                 let least =
                     matches!(&steepest, Some(Violation::Approach { angle: least, .. }) if *least <= angle);
                 if !least {
@@ -208,7 +216,7 @@ impl Run<'_> {
                 }
                 continue;
             }
-            match head::first_met(self.task, &self.standing, struts, &way, &axis) {
+            match head::first_met(self.task, &self.standing, own, &way, &axis) {
                 None => free.push(place),
                 Some(met) => {
                     contact.get_or_insert(Violation::HeadMeets {

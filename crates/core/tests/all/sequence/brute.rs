@@ -33,6 +33,7 @@ pub fn of_task(task: &Task<'_>) -> brute::Task {
         gravity: task.weight.gravity,
         machine: brute::Machine {
             outline: builder.head.outline().to_vec(),
+            places: builder.places,
             max_create_deg: builder.max_create.deg(),
             max_connect_deg: builder.max_connect.deg(),
             touch_mm: builder.touch.mm(),

@@ -86,6 +86,7 @@ pub fn builder() -> StrutBuilder {
     let (mm, deg) = (|mm| Length::from_mm(mm).unwrap(), |deg| Angle::from_deg(deg).unwrap());
     StrutBuilder {
         head: Head::new(&HEAD).unwrap(),
+        places: false,
         directions: HeadDirections::each(deg(18.0)).unwrap(),
         max_create: deg(60.0),
         max_connect: deg(90.0),

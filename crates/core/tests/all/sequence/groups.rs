@@ -1,6 +1,6 @@
 //! Wires and rods that are placed at once.
 
-use wirebend_core::sequence::{Groups, StepKind, Structure};
+use wirebend_core::sequence::{Groups, StepKind, Structure, StrutBuilder, cost};
 use wirebend_core::wireframe::EdgeId;
 
 use super::confirm::searched;
@@ -50,5 +50,22 @@ fn frames_that_others_built_are_built_of_bent_wires() {
         let outcome = searched(&structure, &groups, &builder());
         assert!(outcome.is_found(), "{name}: {:?}", outcome.obstacle);
         assert!(outcome.steps.len() < structure.struts().len() * 6 / 10, "{name}: {}", outcome.steps.len());
+    }
+}
+
+/// A machine that does not draw: every rod is fastened wherever it meets what is built, and the head goes along none.
+#[test]
+fn frames_that_others_built_are_built_of_rods() {
+    let places = StrutBuilder { places: true, ..builder() };
+    for (name, structure) in both() {
+        let groups = Groups::single(&structure);
+        let outcome = searched(&structure, &groups, &places);
+        assert!(outcome.is_found(), "{name}: {:?}", outcome.obstacle);
+        for step in &outcome.steps {
+            let joints = if step.kind == StepKind::Connect { 2 } else { step.joints.len() };
+            assert!(step.joints.len() == joints && joints > 0, "{name}: {step:?}");
+        }
+        let seconds = |builder| cost(&outcome.steps, &structure, builder).seconds;
+        assert!(seconds(&places) < seconds(&builder()), "{name}: nothing is drawn");
     }
 }
