@@ -1,6 +1,7 @@
 //! How far what stands sags, as a frame of nothing else.
 
-use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
 
 use crate::Task;
 use crate::beam::Beam;
@@ -13,12 +14,17 @@ const NO_STIFFNESS: f64 = 1e-13;
 /// A degree of freedom's place in the equations; none where the ground holds it.
 type Place = Option<usize>;
 
+/// The vertex that sags most, and how far, mm; none where it does not stand.
+type Sag = Option<(u32, f64)>;
+
 /// The struts of a design as beams, of which some stand.
 pub(crate) struct Standing<'a> {
     task: &'a Task,
     beams: BTreeMap<u32, Beam>,
     /// The vertices in rings around the supports, so that a strut joins vertices that are near each other in it.
     rings: Vec<u32>,
+    /// What was found of parts that hang together, by their edges: the others stand as they stood.
+    parts: RefCell<HashMap<Vec<u32>, Sag>>,
 }
 
 impl<'a> Standing<'a> {
@@ -26,11 +32,52 @@ impl<'a> Standing<'a> {
         let beam = |(&edge, ends): (&u32, &[u32; 2])| {
             (edge, Beam::new(ends.map(|end| task.at(end)), &task.section, &task.gravity))
         };
-        Self { task, beams: task.edges.iter().map(beam).collect(), rings: rings(task) }
+        Self {
+            task,
+            beams: task.edges.iter().map(beam).collect(),
+            rings: rings(task),
+            parts: RefCell::default(),
+        }
     }
 
-    /// The vertex that sags most, and how far, mm; none where it does not stand.
-    pub fn sag(&self, edges: &[u32]) -> Option<(u32, f64)> {
+    /// How far these struts sag, where they alone stand.
+    pub fn sag(&self, edges: &[u32]) -> Sag {
+        let mut most: Sag = None;
+        for part in self.parts_of(edges) {
+            let known = self.parts.borrow().get(&part).copied();
+            let found = known.unwrap_or_else(|| self.sag_of_part(&part));
+            self.parts.borrow_mut().insert(part, found);
+            let found = found?;
+            if most.is_none_or(|most| found.1 > most.1) {
+                most = Some(found);
+            }
+        }
+        most
+    }
+
+    /// The edges of each part that hangs together, rising.
+    fn parts_of(&self, edges: &[u32]) -> Vec<Vec<u32>> {
+        let mut around: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+        for &edge in edges {
+            self.task.edges[&edge].iter().for_each(|&end| around.entry(end).or_default().push(edge));
+        }
+        let mut seen = BTreeSet::new();
+        let mut parts = Vec::new();
+        for &vertex in around.keys() {
+            let mut part = BTreeSet::new();
+            let mut open = vec![vertex];
+            while let Some(vertex) = open.pop() {
+                if seen.insert(vertex) {
+                    part.extend(&around[&vertex]);
+                    open.extend(around[&vertex].iter().flat_map(|edge| self.task.edges[edge]));
+                }
+            }
+            parts.extend((!part.is_empty()).then(|| part.into_iter().collect()));
+        }
+        parts
+    }
+
+    fn sag_of_part(&self, edges: &[u32]) -> Sag {
         let places = self.places(edges);
         let count = places.values().flatten().flatten().count();
         let of_ends = |edge: &u32| {
