@@ -1,5 +1,7 @@
 //! The open design as a frame, and the order in which its struts are built.
 
+use wirebend_tests_brute::{Step, Task};
+
 use super::*;
 
 fn opened(name: &str, units: Option<&str>) -> Window {
@@ -113,6 +115,10 @@ fn a_sequence_is_found_drawn_and_changed() {
     let found = window.ask("sequence", asked.clone());
     let steps = found["sequence"]["steps"].as_array().unwrap();
     assert_eq!((steps.len(), &found["sequence"]["feasible"]), (4, &json!(true)));
+    let saved = window.home.path().join("frame.wirebend");
+    window.ask("save", json!({"path": saved}));
+    let task = Task::framefab(&serde_json::from_slice(&std::fs::read(saved).unwrap()).unwrap());
+    assert_eq!(task.faults(&Step::printed(&found["sequence"])), []);
     for (step, head) in steps.iter().zip(found["moves"].as_array().unwrap()) {
         let free = head["free"].as_array().unwrap();
         assert_eq!(free.len() as u64, step["free_directions"].as_u64().unwrap());
@@ -131,13 +137,16 @@ fn a_sequence_is_found_drawn_and_changed() {
     };
     let mut same = asked.clone();
     same["order"] = order([0, 1, 2, 3]);
-    assert_eq!(window.ask("sequence", same)["sequence"]["feasible"], true);
+    let same = window.ask("sequence", same);
+    assert_eq!(same["sequence"]["feasible"], true);
+    assert_eq!(task.faults(&Step::printed(&same["sequence"])), []);
     // Ground struts come first, and the last one needs both vertices.
     let mut changed = asked;
     changed["order"] = order([3, 0, 1, 2]);
     let changed = window.ask("sequence", changed);
     assert_eq!(changed["sequence"]["feasible"], false);
     assert_eq!(changed["sequence"]["diagnostics"][0]["step"], 0);
+    assert_ne!(task.faults(&Step::printed(&changed["sequence"])), []);
     assert_eq!(changed["sequence"]["steps"].as_array().unwrap().len(), 4);
     assert_eq!(window.ask("stop-sequence", json!({})), json!({}));
 }
