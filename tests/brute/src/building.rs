@@ -107,7 +107,7 @@ impl Building<'_> {
             }
         }
         // A strut is drawn from one of its ends, a wire or rod is fastened at all.
-        let placed = edges.len() > 1 || task.machine.places;
+        let placed = task.machine.is_placed(edges.len());
         let needed = if placed { &joined[..] } else { &joined[..joined.len().min(1)] };
         for &vertex in needed {
             let there = given.joints.iter().any(|(joint, _)| !placed || *joint == vertex);
@@ -141,7 +141,7 @@ impl Building<'_> {
         let task = self.task;
         let at = task.at(vertex);
         let (mut motion, mut touched, mut seen) = ([at; 2], vec![vertex], self.standing.clone());
-        let placed = edges.len() > 1 || task.machine.places;
+        let placed = task.machine.is_placed(edges.len());
         if let ([strut], false) = (edges, placed) {
             let ends = task.edges[strut];
             motion[1] = task.at(if ends[0] == vertex { ends[1] } else { ends[0] });

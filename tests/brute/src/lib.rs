@@ -84,6 +84,13 @@ pub struct Machine {
     pub workspace: Option<[Point3<f64>; 2]>,
 }
 
+impl Machine {
+    /// Whether so many edges at once are placed whole.
+    pub(crate) const fn is_placed(&self, edges: usize) -> bool {
+        self.places || edges > 1
+    }
+}
+
 /// What is placed at once.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Step {
@@ -91,8 +98,8 @@ pub struct Step {
     pub edges: Vec<u32>,
     /// What it is said to be, where it is.
     pub kind: Option<Kind>,
-    /// The vertices at which the head stands, for a strut that is drawn the one from which it goes to the other end, each with directions of its axis, of
-    /// which one has to be free.
+    /// The vertices at which the head stands, for a strut that is drawn the one from which it goes to the other end, each with directions
+    /// of its axis, of which one has to be free.
     pub joints: Vec<(u32, Vec<Vector3<f64>>)>,
 }
 

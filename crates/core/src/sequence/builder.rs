@@ -34,6 +34,12 @@ pub struct StrutBuilder {
 }
 
 impl StrutBuilder {
+    /// Whether so many struts at once are placed whole: a wire or rod always is, a strut that is alone where nothing is drawn.
+    #[must_use]
+    pub const fn is_placed(&self, struts: usize) -> bool {
+        self.places || struts > 1
+    }
+
     /// Whether its tip gets to a point.
     #[must_use]
     pub fn reaches(&self, at: &Point3<f64>) -> bool {

@@ -37,7 +37,9 @@ pub fn cost(steps: &[Step], structure: &Structure, builder: &StrutBuilder) -> Se
     let mut at: Option<usize> = None;
     for step in steps {
         let mut stations: Vec<usize> = step.joints.iter().map(|joint| joint.node).collect();
-        if let ([strut], [joint], false) = (&step.struts[..], &step.joints[..], builder.places) {
+        if let ([strut], [joint], false) =
+            (&step.struts[..], &step.joints[..], builder.is_placed(step.struts.len()))
+        {
             let [a, b] = structure.struts()[*strut].ends;
             stations.push(if joint.node == a { b } else { a });
             built += structure.length(*strut).mm();

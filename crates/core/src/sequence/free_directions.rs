@@ -113,10 +113,7 @@ impl<'a> FreeDirections<'a> {
 
     /// The strut that a group is, where the head draws it.
     fn drawn(&self, group: &Group) -> Option<usize> {
-        match group.struts[..] {
-            [strut] if !self.builder.places => Some(strut),
-            _ => None,
-        }
+        group.struts.first().copied().filter(|_| !self.builder.is_placed(group.struts.len()))
     }
 
     /// The struts that stand and are in the way of a group in some of the directions that it could use, with how many.

@@ -123,7 +123,7 @@ impl Frame<'_> {
     }
 
     /// Whether there are more modes than were found, in the words of an error. One place where as many lie below is enough: pivots
-    /// may be bad where a mode is near.
+    /// may be bad where a mode is near. Nothing is told where they can be counted nowhere.
     fn left_out(&self, modes: &[Bending]) -> Option<ModesError> {
         let top = modes.iter().map(|(squared, _)| *squared).fold(0.0, f64::max);
         let mut left_out = None;

@@ -121,7 +121,7 @@ fn ordered(order: &[OrderedStep], task: &Task<'_>) -> Vec<GivenStep> {
     let mut built: BTreeSet<VertexId> =
         structure.nodes().iter().filter(|node| node.support).map(|node| node.vertex).collect();
     let steps = order.iter().map(|step| {
-        if step.edges.len() > 1 || task.builder.places {
+        if task.builder.is_placed(step.edges.len()) {
             let edges = if step.edges.is_empty() { &[step.edge][..] } else { &step.edges };
             return ordered_wire(edges, &mut built, task);
         }

@@ -116,14 +116,13 @@ fn run(
     if let Some(output) = &request.output {
         output.check()?;
     }
-    cost_fits(request, request.group_by == GroupBy::Wire)?;
     let limit = seconds(request.limit_s)?;
     let started = Instant::now();
     let mut opened = request.design.open(progress)?.with_wireframe()?;
     opened.require_designed()?;
     opened.document.wireframe = request.supports.hold(&opened)?;
     let setup = BuilderSetup::new(app, &opened, request)?;
-    cost_fits(request, setup.builder.places)?;
+    cost_fits(request.cost, setup.builder.places)?;
     let mut answer = report::Answer::new(&opened, &setup);
     answer.took("read", started);
     let mut drawing = Drawing::new(&setup);
@@ -218,21 +217,16 @@ fn rechecked(task: &Task<'_>, outcome: &Outcome, progress: &dyn Progress) -> Vec
     sequence::check(task, &given).violations.iter().map(findings::violation).collect()
 }
 
-/// Whether the cost that is asked for is one of what is built: that of `FrameFab` is one of struts that are drawn.
-fn cost_fits(request: &SequenceRequest, places: bool) -> Result<(), PlanningError> {
-    if !places || request.cost != CostName::Paper {
+/// Whether a cost is one of what is built: that of `FrameFab` is one of struts that are drawn.
+fn cost_fits(cost: CostName, places: bool) -> Result<(), PlanningError> {
+    if !places || cost != CostName::Paper {
         return Ok(());
     }
-    let by_wire = request.group_by == GroupBy::Wire;
     Err(PlanningError::Value {
-        input: by_wire.then_some(InputName::GroupBy),
-        name: if by_wire { InputName::GroupBy.words() } else { "cost" },
-        value: if by_wire { "wire" } else { "paper" }.to_owned(),
-        expected: if by_wire {
-            "edge: the cost of FrameFab is that of single struts"
-        } else {
-            "sharing: the cost of FrameFab is that of struts that are drawn, and this machine places them"
-        },
+        input: None,
+        name: "cost",
+        value: "paper".to_owned(),
+        expected: "sharing: the cost of FrameFab is that of single struts that are drawn, and not placed",
     })
 }
 

@@ -303,7 +303,7 @@ fn step_report(task: &Task<'_>, step: &Step) -> SequenceStepReport {
     };
     let joints: Vec<SequenceJoint> = step.joints.iter().map(joint).collect();
     let edges: Vec<u32> = step.struts.iter().map(|&strut| structure.struts()[strut].edge.0).collect();
-    let placed = edges.len() > 1 || task.builder.places;
+    let placed = task.builder.is_placed(edges.len());
     SequenceStepReport {
         edge: edges.first().copied().unwrap_or_default(),
         from_vertex: joints.first().map(|joint| joint.vertex),
@@ -323,7 +323,7 @@ fn given_report(
     free: &[usize],
     sag_mm: Option<f64>,
 ) -> SequenceStepReport {
-    let placed = step.edges.len() > 1 || task.builder.places;
+    let placed = task.builder.is_placed(step.edges.len());
     let direction =
         |joint: &wirebend_core::sequence::GivenJoint| joint.directions.first().map(|way| (*way).into());
     let joints = step.joints.iter().zip(free).filter_map(|(joint, &free_directions)| {

@@ -149,7 +149,7 @@ impl Run<'_> {
             }
         }
         // A strut is drawn from one end; a wire or rod is fastened wherever it meets what is built.
-        let placed = self.is_placed(struts);
+        let placed = self.task.builder.is_placed(struts.len());
         let needed = if placed { joined.len() } else { joined.len().min(1) };
         let given = |vertex: &VertexId| step.joints.iter().any(|joint| joint.vertex == *vertex);
         if placed || step.joints.is_empty() {
@@ -185,15 +185,10 @@ impl Run<'_> {
         }
     }
 
-    /// Whether struts are placed at once and whole, and not drawn.
-    fn is_placed(&self, struts: &[usize]) -> bool {
-        struts.len() > 1 || self.task.builder.places
-    }
-
     /// The head at one joint: one of the given directions has to be free. Which are.
     fn head(&mut self, step: usize, joint: &GivenJoint, struts: &[usize], connects: bool) -> Vec<usize> {
         let (structure, builder) = (self.task.structure, self.task.builder);
-        let placed = self.is_placed(struts);
+        let placed = builder.is_placed(struts.len());
         let way = head::way(structure, (!placed).then_some(struts[0]), joint.vertex);
         let own = if placed { struts } else { &[] };
         let [mut steepest, mut contact] = [None::<Violation>, None];
