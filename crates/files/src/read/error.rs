@@ -14,6 +14,8 @@ use crate::document::DocumentError;
 pub enum Location {
     /// A line of text, from 1.
     Line(usize),
+    /// A line of JSON, from 1, and the way to what is there by names and indices from 0: `nodes[3].point`.
+    Entry { line: usize, path: String },
     /// An offset in bytes, from 0.
     Byte(usize),
     /// An entry of a list, as its name and its index from 0: "node 3".
@@ -28,6 +30,7 @@ impl fmt::Display for Location {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Line(line) => write!(f, ", line {line}"),
+            Self::Entry { line, path } => write!(f, ", line {line}, {path}"),
             Self::Byte(offset) => write!(f, ", byte {offset}"),
             Self::Item(what, index) => write!(f, ", {what} {index}"),
             Self::ItemOf { part, name, what, index } => write!(f, ", {part} {name}, {what} {index}"),

@@ -248,7 +248,7 @@ fn frames() {
         "a.json",
         &texts,
         &expect![[r#"
-            read-syntax: a.json, line 1: found EOF while parsing a list, expected an object with node_list and element_list [CorrectFile]
+            read-syntax: a.json, line 1, node_list: found EOF while parsing a list, expected an object with node_list and element_list [CorrectFile]
             read-index: a.json, element 0: 1 names no node: there are 0 [CorrectFile]
             read-syntax: a.json, element 0: found "1 ends", expected two end_node_ids [CorrectFile]
             read-syntax: a.json: found "cubit", expected a unit: millimeter, centimeter, meter or inch [ChooseUnit]

@@ -109,6 +109,27 @@ fn an_assembly_may_be_of_either_dialect() {
     assert!(text.contains("found \"0\", expected a figure above 0"), "{text}");
 }
 
+/// Programs write all of a frame on one line: the line alone does not lead to what is wrong.
+#[test]
+fn what_is_wrong_in_a_json_file_is_found_by_its_entry() {
+    let nodes = r#"[{"point": {"X": 0, "Y": 0, "Z": 0}}, {"point": {"X": 9, "Y": 0, "Z": 0}}]"#;
+    let assembly =
+        |elements: &str| format!(r#"{{"unit": "cm", "node_list": {nodes}, "element_list": {elements}}}"#);
+    assert_eq!(
+        refused(import("a.json", assembly(r#"[{"end_node_ids": [0, 1]}, {"layer_id": 2}]"#))),
+        "read-syntax: a.json, line 1, element_list[1]: found missing field `end_node_ids`, expected an object with node_list and element_list"
+    );
+    let text = refused(import("a.json", assembly("[]").replace("\"Z\": 0}}]", "\"Z\": \"low\"}}]")));
+    assert!(
+        text.contains("a.json, line 1, node_list[1].point.Z: found invalid type: string \"low\""),
+        "{text}"
+    );
+    let text = refused(import("a.json", assembly("[]").replace("\"X\": 9", "\"X\": NaN")));
+    assert!(text.contains("a.json, line 1, node_list[1].point.X: found expected value"), "{text}");
+    let text = refused(import("a.json", format!("{}\n }}", assembly("[]"))));
+    assert!(text.contains("a.json, line 2: found trailing characters"), "{text}");
+}
+
 /// `g` gives a strut a layer, `c` marks it as ceiling, `p` stands on a foot; each adds a strut that is not there.
 #[test]
 fn a_pwf_has_layers_and_a_ceiling() {
