@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::units::Length;
-use wirebend_core::wireframe::{TrussError, regular_depth, tetrahedral_truss};
+use wirebend_core::wireframe::{TrussError, regular_depth, regular_strut, tetrahedral_truss};
 use wirebend_files::document::Document;
 
 use crate::import::{size_mm, wireframe_obj};
@@ -27,9 +27,10 @@ pub enum GeneratedShape {
     Truss {
         /// Rings around the middle triangle, 0 to 100: 2N + 1 struts across.
         rings: u32,
-        /// Length of the struts of both layers, mm.
-        strut_mm: f64,
-        /// Distance of the layers, mm; absent, that at which all struts are of one length.
+        /// Length of the struts of both layers, mm; absent, that at which all struts are of one length.
+        #[serde(default)]
+        strut_mm: Option<f64>,
+        /// Distance of the layers, mm; absent, that at which all struts are of one length. It takes one of the two.
         #[serde(default)]
         depth_mm: Option<f64>,
     },
@@ -62,10 +63,19 @@ pub fn generate(
     request.output.as_ref().map_or(Ok(()), Output::check)?;
     let GeneratedShape::Truss { rings, strut_mm, depth_mm } = request.shape;
     progress.stage("generating");
-    let strut = length("the length of a strut", strut_mm)?;
-    let depth = match depth_mm {
-        Some(depth) => length("the depth", depth)?,
-        None => regular_depth(strut),
+    let strut = strut_mm.map(|mm| length("the length of a strut", mm)).transpose()?;
+    let depth = depth_mm.map(|mm| length("the depth", mm)).transpose()?;
+    let (strut, depth) = match (strut, depth) {
+        (Some(strut), Some(depth)) => (strut, depth),
+        (Some(strut), None) => (strut, regular_depth(strut)),
+        (None, Some(depth)) => (regular_strut(depth), depth),
+        (None, None) => {
+            return Err(value(
+                "the size of the truss",
+                "nothing".to_owned(),
+                "the length of a strut, the depth, or both",
+            ));
+        }
     };
     let document = Document::new(tetrahedral_truss(rings, strut, depth).map_err(refusal)?);
     progress.stage("writing");

@@ -263,15 +263,16 @@ pub(crate) enum Subcommands {
 pub(crate) enum GenerateCommand {
     /// A tetrahedral truss: two hexagonal layers of triangles, joined by diagonals
     #[command(
+        group(clap::ArgGroup::new("size").args(["strut", "depth"]).required(true).multiple(true)),
         after_help = "Examples:\n  wirebend generate truss --rings 3 --strut 100 -o truss.wirebend\n  wirebend generate truss --rings 1 --strut 61.237 --depth 53.033 -o truss.obj"
     )]
     Truss {
         /// Rings around the middle triangle, 0 to 100
         #[arg(long, value_name = "N")]
         rings: u32,
-        /// Length of the struts in both layers
+        /// Length of the struts in both layers [default: all struts are of one length]
         #[arg(long, value_name = "MM")]
-        strut: f64,
+        strut: Option<f64>,
         /// Distance of the layers [default: all struts are of one length]
         #[arg(long, value_name = "MM")]
         depth: Option<f64>,

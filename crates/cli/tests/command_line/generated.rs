@@ -33,6 +33,19 @@ fn a_report_fits_its_schema() {
     assert_eq!(text.lines().filter(|line| line.starts_with("l ")).count(), 198);
 }
 
+/// Bend-Forming names its trusses by rings and depth; all struts are of one length then.
+#[test]
+fn a_depth_alone_is_that_of_regular_tetrahedra() {
+    let folder = tempfile::tempdir().unwrap();
+    let deep = ["generate", "truss", "--rings", "1", "--depth", "50", "-o", "t.obj", "--json"];
+    let made = run_in(folder.path(), &deep, b"").ended(0).json();
+    for end in made["strut_mm"].as_array().unwrap() {
+        assert!((end.as_f64().unwrap() - 61.237_243_569_579_45).abs() < 1e-9, "{made}");
+    }
+    let text = run(&["generate", "truss", "--rings", "1"]).ended(2).err;
+    assert!(text.contains("<--strut <MM>|--depth <MM>>"), "{text}");
+}
+
 #[test]
 fn what_is_no_truss_is_a_wrong_use() {
     let refused = |rings: &str, strut: &str, depth: &str| {

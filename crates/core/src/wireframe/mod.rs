@@ -24,6 +24,6 @@ pub use edits::{
 };
 pub use graph::{Edge, EdgeId, NextIds, Vertex, VertexId, Wireframe, WireframeError};
 pub use joint::{Joint, JointKind};
-pub use truss::{MAX_RINGS, TrussError, regular_depth, tetrahedral_truss};
+pub use truss::{MAX_RINGS, TrussError, regular_depth, regular_strut, tetrahedral_truss};
 pub use weld::WeldReport;
 pub use welder::Welder;

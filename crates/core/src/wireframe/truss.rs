@@ -40,6 +40,12 @@ pub fn regular_depth(strut: Length) -> Length {
     Length::computed(strut.mm() * (2.0_f64 / 3.0).sqrt())
 }
 
+/// The struts of the faces that are as long as the diagonals at this depth: those of regular tetrahedra, depth·√(3/2).
+#[must_use]
+pub fn regular_strut(depth: Length) -> Length {
+    Length::computed(depth.mm() * 1.5_f64.sqrt())
+}
+
 /// A truss with `rings` around its middle triangle (none: an octahedron), whose faces have struts of length `strut`, `depth`
 /// apart; the bottom face lies in z = 0, the middle on the z axis. 6(N + 1)² vertices, 27N² + 39N + 12 struts; (2N + 1) struts across.
 ///
