@@ -65,10 +65,11 @@ pub use wirebend_planning::error::{DriverProblem, ErrorKind, PlanningError, Sten
 pub use wirebend_planning::export::{ExportFormat, ExportRequest, ExportResponse};
 pub use wirebend_planning::frame::{
     AchievedReport, BowChoice, BowedReport, ClosedShapes, ClosingChoice, ClosingFigures, ClosingName,
-    ClosingReport, ClosingRuns, ContinuumChoice, FrameFigures, FrameFiles, FrameRequest, FrameResponse,
-    FrameShapes, FrameSupports, LoadCaseEntry, LoadCases, LoadsChoice, MemberReport, ModeKindName,
-    ModeReport, ReactionReport, RequirementName, RequirementsChoice, ResourcesReport, StaticReport,
-    ToleranceRequest, ToleranceResponse, ToleranceSubject, TrussFrequency, VaryName, VertexForce,
+    ClosingReport, ClosingRuns, ContinuumChoice, FacesChoice, FrameFigures, FrameFiles, FrameRequest,
+    FrameResponse, FrameShapes, FrameSupports, LoadCaseEntry, LoadCases, LoadsChoice, MemberReport,
+    ModeKindName, ModeReport, ReactionReport, RequirementName, RequirementsChoice, ResourcesReport,
+    StaticReport, ToleranceRequest, ToleranceResponse, ToleranceSubject, TrussFrequency, VaryName,
+    VertexForce,
 };
 pub use wirebend_planning::generate::{GenerateRequest, GenerateResponse, GeneratedShape};
 pub use wirebend_planning::import::{ImportRequest, ImportResponse};

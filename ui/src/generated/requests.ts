@@ -532,6 +532,16 @@ export type Colour = string;
  */
 export type ClosingName = "aligned" | "coupled";
 /**
+ * The faces that are to be flat, by the ids of their vertices: `[[0, 1, 2, 3], [4, 5, 6, 7]]`.
+ */
+export type FacesChoice =
+  | {
+      input: Input;
+    }
+  | {
+      vertices: number[][];
+    };
+/**
  * Where the bytes come from.
  */
 export type Input =
@@ -1361,10 +1371,9 @@ export interface ClosingChoice {
    */
   errors: string;
   /**
-   * The faces that are to be flat: a JSON list of lists of vertices. Absent, all vertices count, after the motion of the whole that
-   * fits them best.
+   * The faces that are to be flat. Absent, all vertices count, after the motion of the whole that fits them best.
    */
-  faces?: Input | null;
+  faces?: FacesChoice | null;
   /**
    * How many wires are drawn; 0: none, the exact expectation over all of them, which there is for straight struts alone.
    */
@@ -1847,9 +1856,9 @@ export interface ToleranceDesign {
    */
   double?: boolean;
   /**
-   * The faces that are to be flat: a JSON list of lists of vertices. Absent, all vertices count.
+   * The faces that are to be flat. Absent, all vertices count.
    */
-  faces?: Input | null;
+  faces?: FacesChoice | null;
   /**
    * Absent: that of the design.
    */

@@ -4511,6 +4511,10 @@ export interface ClosingReport {
    */
   energy_n_mm: number;
   /**
+   * Of how many faces the surface is; null where all vertices count.
+   */
+  faces: number | null;
+  /**
    * How far passes through one vertex are apart at most before they are pulled together; null for an expectation.
    */
   gap_mm: number | null;
@@ -4524,6 +4528,11 @@ export interface ClosingReport {
    * should be.
    */
   surface_rms_mm: number;
+  /**
+   * How far all vertices are from where they should be, after the motion of the whole that fits them best, RMS: without faces the
+   * same.
+   */
+  vertices_rms_mm: number;
   /**
    * Von Mises stress, RMS over the struts, at four points of the surface all along them.
    */
@@ -4589,6 +4598,11 @@ export interface ClosingFigures {
    * should be.
    */
   surface_rms_mm: number;
+  /**
+   * How far all vertices are from where they should be, after the motion of the whole that fits them best, RMS: without faces the
+   * same.
+   */
+  vertices_rms_mm: number;
   /**
    * Von Mises stress, RMS over the struts, at four points of the surface all along them.
    */

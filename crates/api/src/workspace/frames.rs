@@ -7,9 +7,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_planning::catalogue::{NoiseEntry, StrutBuilderEntry, noises, strut_builders};
 use wirebend_planning::frame::{
-    BowChoice, ClosingChoice, ClosingName, ContinuumChoice, FrameFiles, FrameShapes, FrameSupports,
-    LoadCases, LoadsChoice, RequirementsChoice, ToleranceSubject, VaryName, VertexForce, drawn_frame, frame,
-    load_cases, tolerance,
+    BowChoice, ClosingChoice, ClosingName, ContinuumChoice, FacesChoice, FrameFiles, FrameShapes,
+    FrameSupports, LoadCases, LoadsChoice, RequirementsChoice, ToleranceSubject, VaryName, VertexForce,
+    drawn_frame, frame, load_cases, tolerance,
 };
 use wirebend_planning::report::NoteReport;
 
@@ -108,8 +108,8 @@ pub struct ToleranceDesign {
     pub vary: VaryName,
     #[serde(default)]
     pub closing: ClosingName,
-    /// The faces that are to be flat: a JSON list of lists of vertices. Absent, all vertices count.
-    pub faces: Option<Input>,
+    /// The faces that are to be flat. Absent, all vertices count.
+    pub faces: Option<FacesChoice>,
     /// In place of the design a truss of many rings, by closed formulas.
     pub continuum: Option<ContinuumChoice>,
     /// Whether wires may run along edges twice where there is no route otherwise.

@@ -3,8 +3,8 @@
 use std::io::Write;
 
 use wirebend_api::{
-    ClosingFigures, ClosingName, FrameResponse, MemberReport, ModeKindName, RequirementName, ResourcesReport,
-    StaticReport, ToleranceResponse,
+    ClosingFigures, ClosingName, ClosingReport, FrameResponse, MemberReport, ModeKindName, RequirementName,
+    ResourcesReport, StaticReport, ToleranceResponse,
 };
 
 use super::number::{count, mm};
@@ -38,7 +38,7 @@ pub(super) fn frame(out: &mut impl Write, found: &FrameResponse) -> std::io::Res
     }
     modes(out, found)?;
     if let Some(closing) = &found.closing {
-        closed(out, found, closing.model, &closing.figures)?;
+        closed(out, found, closing)?;
     }
     if let Some(resources) = &found.resources {
         takes(out, resources)?;
@@ -104,13 +104,9 @@ fn modes(out: &mut impl Write, found: &FrameResponse) -> std::io::Result<()> {
     row(out, &format!("bowed by {} %", percent(bowed.share)), &words)
 }
 
-fn closed(
-    out: &mut impl Write,
-    found: &FrameResponse,
-    model: ClosingName,
-    figures: &ClosingFigures,
-) -> std::io::Result<()> {
-    let how = match model {
+fn closed(out: &mut impl Write, found: &FrameResponse, closing: &ClosingReport) -> std::io::Result<()> {
+    let figures = &closing.figures;
+    let how = match closing.model {
         ClosingName::Aligned => "pulled to its vertices, locked and let go",
         ClosingName::Coupled => "joints rigid from the start",
     };
@@ -125,6 +121,10 @@ fn closed(
     };
     let surface = spread(|figures| figures.surface_rms_mm, "mm");
     row(out, "surface", &format!("{:.4} mm{surface}", figures.surface_rms_mm))?;
+    if closing.faces.is_some() {
+        let vertices = spread(|figures| figures.vertices_rms_mm, "mm");
+        row(out, "vertices", &format!("{:.4} mm off the drawing{vertices}", figures.vertices_rms_mm))?;
+    }
     let force = spread(|figures| figures.axial_rms_n, "N");
     row(out, "force", &format!("{:.3} N along a strut{force}", figures.axial_rms_n))?;
     let stress = spread(|figures| figures.von_mises_rms_mpa, "MPa");

@@ -3,17 +3,17 @@
 use std::path::{Path, PathBuf};
 
 use wirebend_api::{
-    BowChoice, ClosingChoice, ClosingName, Command, ContinuumChoice, FrameFiles, FrameRequest, LoadsChoice,
-    Output, ToleranceRequest, ToleranceSubject,
+    BowChoice, ClosingChoice, ClosingName, Command, ContinuumChoice, FacesChoice, FrameFiles, FrameRequest,
+    LoadsChoice, Output, ToleranceRequest, ToleranceSubject,
 };
 
 use super::{choices, design, input};
 use crate::args::DesignArgs;
-use crate::args::frame::{FrameArgs, ToleranceArgs};
+use crate::args::frame::{ClosingArgs, FrameArgs, ToleranceArgs};
 use crate::usage::WrongUse;
 
 pub(super) fn frame(args: FrameArgs) -> anyhow::Result<Command> {
-    let faces = args.closing.faces.as_deref().map(input).transpose()?;
+    let faces = faces(&args.closing)?;
     let named = [&args.vtk, &args.csv, &args.conmech, &args.glb, &args.closed_vtk];
     if named.into_iter().flatten().any(|path| path == Path::new("-")) {
         let words = "results go to files: name one after --vtk, --csv, --conmech, --glb or --closed-vtk";
@@ -73,6 +73,10 @@ pub(super) fn tolerance(args: ToleranceArgs) -> anyhow::Result<Command> {
         vary: args.vary,
         feed_share: args.feed_share,
         closing: args.closing.closing.unwrap_or(ClosingName::Aligned),
-        faces: args.closing.faces.as_deref().map(input).transpose()?,
+        faces: faces(&args.closing)?,
     }))
+}
+
+fn faces(args: &ClosingArgs) -> anyhow::Result<Option<FacesChoice>> {
+    Ok(args.faces.as_deref().map(input).transpose()?.map(FacesChoice::Input))
 }

@@ -31,6 +31,14 @@ fn closed_joints_depend_on_the_seed_alone() {
     let again = close(&["--runs", "12", "--seed", "3"]);
     assert_eq!((&first["closing"], &first["of_runs"]), (&again["closing"], &again["of_runs"]));
     assert_ne!(first["closing"], close(&["--runs", "12", "--seed", "4"])["closing"]);
+    // With faces, the vertices count as they do without: the same wires.
+    let without =
+        ["--supports", "free", "--close", "--errors", "bend-forming", "--runs", "12", "--seed", "3"];
+    let whole = frame(&example("truss-1.obj"), &[&TRUSS[..], &without].concat()).ended(0).json();
+    assert_eq!((&first["closing"]["faces"], &whole["closing"]["faces"]), (&2.into(), &Value::Null));
+    assert_eq!(whole["closing"]["surface_rms_mm"], whole["closing"]["vertices_rms_mm"]);
+    assert_eq!(first["closing"]["vertices_rms_mm"], whole["closing"]["vertices_rms_mm"]);
+    assert_ne!(first["closing"]["surface_rms_mm"], whole["closing"]["surface_rms_mm"]);
     let closing = &first["closing"];
     let of = |key: &str| closing[key].as_f64().unwrap();
     assert!(

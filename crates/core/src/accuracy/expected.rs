@@ -17,6 +17,8 @@ pub struct Expected {
     pub surface_rms: f64,
     /// Of each face the root of its expected mean square, mm. Squares of these add where errors are independent.
     pub faces_rms: Vec<f64>,
+    /// How far the vertices are from where they should be, after the motion of the whole that fits them best, mm.
+    pub vertices_rms: f64,
     /// Force along a strut, over all struts, N.
     pub axial_rms: f64,
     /// Von Mises stress, over all struts, MPa.
@@ -31,6 +33,7 @@ pub struct Expected {
 #[derive(Debug, Default)]
 struct Squares {
     surface: Vec<f64>,
+    vertices: f64,
     axial: f64,
     von_mises: f64,
     pulls: Option<Vec<f64>>,
@@ -38,23 +41,24 @@ struct Squares {
 }
 
 impl Squares {
-    /// Adds a closed frame so many times.
-    fn add(&mut self, closed: &Closed, surface: &Surface, times: f64) {
+    /// Adds a closed frame.
+    fn add(&mut self, closed: &Closed, surface: &Surface, whole: &Surface) {
         let add = |sums: &mut Vec<f64>, squares: &mut dyn Iterator<Item = f64>| {
             for (k, square) in squares.enumerate() {
                 if k == sums.len() {
                     sums.push(0.0);
                 }
-                sums[k] += times * square;
+                sums[k] += square;
             }
         };
         add(&mut self.surface, &mut surface.mean_squares(&closed.displacements));
         if let Some(pulls) = &closed.pulls {
             add(self.pulls.get_or_insert_default(), &mut pulls.iter().map(|pull| pull * pull));
         }
-        self.axial += times * closed.axial_rms().powi(2);
-        self.von_mises += times * closed.von_mises_rms().powi(2);
-        self.energy += times * closed.energy;
+        self.vertices += whole.rms(&closed.displacements).powi(2);
+        self.axial += closed.axial_rms().powi(2);
+        self.von_mises += closed.von_mises_rms().powi(2);
+        self.energy += closed.energy;
     }
 }
 
@@ -73,12 +77,12 @@ impl Prepared<'_> {
         if terms.bows() {
             return Err(ClosingError::Bowed);
         }
-        let mut squares = Squares::default();
+        let (mut squares, whole) = (Squares::default(), self.model.whole());
         let sources = &self.model.sources;
         // What is always off is one frame, whose effects count once.
         let biased = self.own_ends(sources.iter().map(|source| (source, terms.of(source.of).bias)));
         for closed in self.close_all(closing, vec![biased]) {
-            squares.add(&closed, surface, 1.0);
+            squares.add(&closed, surface, &whole);
         }
         let random: Vec<_> = sources
             .iter()
@@ -89,13 +93,14 @@ impl Prepared<'_> {
             let own =
                 some.iter().map(|&(source, sigma)| self.own_ends(std::iter::once((source, sigma)))).collect();
             for closed in self.close_all(closing, own) {
-                squares.add(&closed, surface, 1.0);
+                squares.add(&closed, surface, &whole);
             }
         }
         let faces_rms: Vec<f64> = squares.surface.iter().map(|square| square.sqrt()).collect();
         Ok(Expected {
             surface_rms: mean(faces_rms.iter().copied()),
             faces_rms,
+            vertices_rms: squares.vertices.sqrt(),
             axial_rms: squares.axial.sqrt(),
             von_mises_rms: squares.von_mises.sqrt(),
             largest_pull: squares.pulls.map(|pulls| pulls.into_iter().fold(0.0, f64::max).sqrt()),

@@ -1,5 +1,7 @@
 //! The two frames of closing: the open wires, and the frame that they are locked to.
 
+use std::collections::BTreeSet;
+
 use nalgebra::{Point3, Vector3};
 use petgraph::unionfind::UnionFind;
 use wirebend_frame::{
@@ -9,6 +11,7 @@ use wirebend_frame::{
 
 use super::draw::{Draw, Terms};
 use super::misfits::{FrameWire, MisfitSource, sources};
+use super::surface::Surface;
 use crate::simulate::{BadErrorTerm, ErrorModel};
 
 /// The sine of an angle below which two struts are on one line.
@@ -151,6 +154,13 @@ impl ClosingModel {
     #[must_use]
     pub fn strut_count(&self) -> usize {
         self.struts.len()
+    }
+
+    /// All vertices at which struts end, together: what is off after the motion of the whole that fits them best.
+    #[must_use]
+    pub fn whole(&self) -> Surface {
+        let ends: BTreeSet<usize> = self.struts.iter().flat_map(|strut| strut.vertices).collect();
+        Surface::whole(&self.vertices, &ends.into_iter().collect::<Vec<_>>())
     }
 
     /// The frame with straight struts.

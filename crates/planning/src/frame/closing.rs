@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::accuracy::{Closed, Closing, Draw, Prepared, Resources, Surface};
+use wirebend_core::accuracy::{Closed, Closing, Draw, Prepared, Resources};
 use wirebend_core::simulate::ErrorModel;
 use wirebend_error::InputName;
 use wirebend_files::write::frame::{ClosedResult, ClosedStrut, ResultNode, closed_vtk};
 
+use super::faces::FacesChoice;
 use super::figures::ClosingFigures;
 use super::runs::{Figures, Runs};
 use super::shapes::{ClosedShapes, made_lines};
@@ -17,7 +18,7 @@ use super::structure::Structure;
 use super::wires::Wires;
 use super::within;
 use crate::choices::PlanChoices;
-use crate::design::{Input, Opened};
+use crate::design::Opened;
 use crate::output::{Output, file_name};
 use crate::report::NoteReport;
 use crate::simulate::noise_model;
@@ -54,9 +55,8 @@ pub struct ClosingChoice {
     pub runs: u32,
     /// Where the random numbers start.
     pub seed: u64,
-    /// The faces that are to be flat: a JSON list of lists of vertices. Absent, all vertices count, after the motion of the whole that
-    /// fits them best.
-    pub faces: Option<Input>,
+    /// The faces that are to be flat. Absent, all vertices count, after the motion of the whole that fits them best.
+    pub faces: Option<FacesChoice>,
     /// Where the first drawn wire goes once its joints are closed, as a VTK file.
     pub vtk: Option<Output>,
 }
@@ -66,6 +66,8 @@ pub struct ClosingChoice {
 pub struct ClosingReport {
     /// How joints were closed.
     pub model: ClosingName,
+    /// Of how many faces the surface is; null where all vertices count.
+    pub faces: Option<usize>,
     #[serde(flatten)]
     pub figures: ClosingFigures,
 }
@@ -158,11 +160,12 @@ impl Installation {
         let shapes = if drawn && choice.runs > 0 { Some(first.shapes()?) } else { None };
         let vtk = choice.vtk.as_ref().map(|output| output.save(closed_vtk(&first.result(title)?).as_bytes()));
         let files = vtk.transpose()?.into_iter().collect();
+        let faces = choice.faces.is_some().then(|| wires.surface.face_count());
         let material = &wires.material;
         let used = Resources { wire_g: material.wire.mass_g(wires.length), joints_g: wires.joints_g };
         let energy_kj = material.energy_kj_per_g.map(|energy| used.energy_kj(energy));
         Ok(JointsClosed {
-            report: Some(ClosingReport { model: choice.closing, figures }),
+            report: Some(ClosingReport { model: choice.closing, faces, figures }),
             runs: (choice.runs > 0).then_some(choice.runs),
             of_runs,
             resources: Some(ResourcesReport {
@@ -202,11 +205,7 @@ impl FirstWire<'_> {
 
     /// How far vertices are off, after the motion of the whole that fits the drawing best.
     fn moved(&self, closed: &Closed) -> Vec<Vector3<f64>> {
-        let model = self.structure.assembly.model();
-        let mut used: Vec<usize> = model.members.iter().flat_map(|member| [member.a.0, member.b.0]).collect();
-        used.sort_unstable();
-        used.dedup();
-        Surface::whole(&model.nodes, &used).remainder(&closed.displacements)
+        self.wires.whole.remainder(&closed.displacements)
     }
 
     /// Before and after its joints are closed.

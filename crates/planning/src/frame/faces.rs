@@ -3,18 +3,45 @@
 use std::collections::BTreeSet;
 
 use nalgebra::Point3;
+use schemars::JsonSchema;
+use serde::Deserialize;
 use wirebend_core::accuracy::Surface;
-use wirebend_core::wireframe::{VertexId, Wireframe};
+use wirebend_core::wireframe::VertexId;
 use wirebend_error::InputName;
 
 use crate::PlanningError;
 use crate::design::{Input, Opened};
 
-/// Faces as a person writes them: `[[0, 1, 2], [3, 4, 5]]`, by the ids of their vertices.
-pub(super) fn faces(input: &Input, opened: &Opened) -> Result<Vec<Vec<VertexId>>, PlanningError> {
-    let (name, bytes) = input.load()?;
+/// The faces that are to be flat, by the ids of their vertices: `[[0, 1, 2, 3], [4, 5, 6, 7]]`.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum FacesChoice {
+    /// A JSON list of lists of vertices.
+    Input(Input),
+    /// The vertices themselves.
+    Vertices(Vec<Vec<u32>>),
+}
+
+impl FacesChoice {
+    /// The name for messages and the faces.
+    fn load(&self) -> Result<(String, Vec<Vec<u32>>), PlanningError> {
+        match self {
+            Self::Vertices(faces) => Ok(("what was selected".to_owned(), faces.clone())),
+            Self::Input(input) => {
+                let (name, bytes) = input.load()?;
+                match serde_json::from_slice(&bytes) {
+                    Ok(faces) => Ok((name, faces)),
+                    Err(error) => Err(PlanningError::Faces { name, reason: error.to_string() }),
+                }
+            }
+        }
+    }
+}
+
+/// The faces that are chosen, each of vertices that can be off a plane.
+pub(super) fn faces(chosen: &FacesChoice, opened: &Opened) -> Result<Vec<Vec<VertexId>>, PlanningError> {
+    let (name, faces) = chosen.load()?;
     let wrong = |reason: String| PlanningError::Faces { name: name.clone(), reason };
-    let faces: Vec<Vec<u32>> = serde_json::from_slice(&bytes).map_err(|error| wrong(error.to_string()))?;
     if faces.is_empty() {
         return Err(wrong("there is no face in it".to_owned()));
     }
@@ -46,20 +73,9 @@ pub(super) fn faces(input: &Input, opened: &Opened) -> Result<Vec<Vec<VertexId>>
     Ok(faces.into_iter().map(|face| face.into_iter().map(VertexId).collect()).collect())
 }
 
-/// What is measured: the faces, or all vertices at which struts end.
-pub(super) fn surface(
-    points: &[Point3<f64>],
-    vertices: &[VertexId],
-    faces: Option<&[Vec<VertexId>]>,
-    wireframe: &Wireframe,
-) -> Surface {
+/// What is measured of faces, by the vertices of the design, rising.
+pub(super) fn surface(points: &[Point3<f64>], vertices: &[VertexId], faces: &[Vec<VertexId>]) -> Surface {
     let place = |id: &VertexId| vertices.binary_search(id).ok();
-    if let Some(faces) = faces {
-        let faces: Vec<Vec<usize>> =
-            faces.iter().map(|face| face.iter().filter_map(place).collect()).collect();
-        Surface::faces(points, &faces)
-    } else {
-        let used = vertices.iter().enumerate().filter(|(_, id)| !wireframe.incident(**id).is_empty());
-        Surface::whole(points, &used.map(|(k, _)| k).collect::<Vec<_>>())
-    }
+    let faces: Vec<Vec<usize>> = faces.iter().map(|face| face.iter().filter_map(place).collect()).collect();
+    Surface::faces(points, &faces)
 }

@@ -10,6 +10,9 @@ pub struct ClosingFigures {
     /// How far the vertices of the faces are from the planes that fit them best, RMS; without faces how far all are from where they
     /// should be.
     pub surface_rms_mm: f64,
+    /// How far all vertices are from where they should be, after the motion of the whole that fits them best, RMS: without faces the
+    /// same.
+    pub vertices_rms_mm: f64,
     /// Force along a strut, RMS over the struts.
     pub axial_rms_n: f64,
     /// Von Mises stress, RMS over the struts, at four points of the surface all along them.
@@ -26,6 +29,7 @@ impl From<Expected> for ClosingFigures {
     fn from(expected: Expected) -> Self {
         Self {
             surface_rms_mm: expected.surface_rms,
+            vertices_rms_mm: expected.vertices_rms,
             axial_rms_n: expected.axial_rms,
             von_mises_rms_mpa: expected.von_mises_rms,
             largest_pull_n: expected.largest_pull,

@@ -35,6 +35,7 @@ use crate::design::{DesignInput, default_weld};
 use crate::report::{DiagnosticReport, NoteReport, SeverityName};
 use crate::{Installation, PlanningError, Progress};
 pub use closing::{ClosingChoice, ClosingName, ClosingReport, ClosingRuns, ResourcesReport};
+pub use faces::FacesChoice;
 pub use figures::ClosingFigures;
 pub use loads::{LoadCaseEntry, LoadCases, LoadsChoice, VertexForce, load_cases};
 pub(crate) use material::FrameMaterial;

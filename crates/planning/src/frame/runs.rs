@@ -19,9 +19,9 @@ const MAX_RUNS: u32 = 1_000_000;
 /// More processors do not help: each prepares the frame for itself.
 const MAX_THREADS: usize = 8;
 /// How many figures a wire has.
-const FIGURES: usize = 6;
+const FIGURES: usize = 7;
 
-/// Figures of one wire, or of many: surface, force, stress, pull, energy, gap. Without a pull that is not a number.
+/// Figures of one wire, or of many: surface, vertices, force, stress, pull, energy, gap. Without a pull that is not a number.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Figures([f64; FIGURES]);
 
@@ -98,6 +98,7 @@ impl Runs<'_> {
         let closed = prepared.close(self.closing, &draw);
         Ok(Figures([
             closed.surface_rms(&self.wires.surface),
+            closed.surface_rms(&self.wires.whole),
             closed.axial_rms(),
             closed.von_mises_rms(),
             closed.largest_pull().unwrap_or(f64::NAN),
@@ -138,9 +139,10 @@ fn mean(values: &[f64]) -> f64 {
 }
 
 impl From<Figures> for ClosingFigures {
-    fn from(Figures([surface, force, stress, pull, energy, gap]): Figures) -> Self {
+    fn from(Figures([surface, vertices, force, stress, pull, energy, gap]): Figures) -> Self {
         Self {
             surface_rms_mm: surface,
+            vertices_rms_mm: vertices,
             axial_rms_n: force,
             von_mises_rms_mpa: stress,
             largest_pull_n: Some(pull).filter(|pull| !pull.is_nan()),

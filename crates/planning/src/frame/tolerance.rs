@@ -11,9 +11,10 @@ use wirebend_core::units::Length;
 use wirebend_error::InputName;
 
 use super::closing::ClosingName;
+use super::faces::FacesChoice;
 use super::wires::Wires;
 use crate::choices::PlanChoices;
-use crate::design::{DesignInput, Input, default_weld};
+use crate::design::{DesignInput, default_weld};
 use crate::report::NoteReport;
 use crate::{Installation, PlanningError, Progress, text};
 
@@ -67,8 +68,8 @@ pub struct ToleranceRequest {
     pub feed_share: f64,
     #[serde(default)]
     pub closing: ClosingName,
-    /// The faces that are to be flat: a JSON list of lists of vertices.
-    pub faces: Option<Input>,
+    /// The faces that are to be flat.
+    pub faces: Option<FacesChoice>,
 }
 
 /// Whose joints are closed.

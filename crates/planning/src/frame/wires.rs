@@ -7,10 +7,10 @@ use wirebend_core::units::Length;
 use wirebend_core::wireframe::VertexId;
 use wirebend_files::write::frame::ClosedStrut;
 
-use super::faces::{faces, surface};
+use super::faces::{FacesChoice, faces, surface};
 use super::material::FrameMaterial;
 use crate::choices::PlanChoices;
-use crate::design::{Input, Opened};
+use crate::design::Opened;
 use crate::plan::Planned;
 use crate::report::NoteReport;
 use crate::stage::StageName;
@@ -21,7 +21,10 @@ pub(super) struct Wires {
     /// What they are of: the wire in the machine, also where the file of the frame says what its struts are.
     pub material: FrameMaterial,
     pub model: ClosingModel,
+    /// What is measured: the faces, or all vertices at which struts end.
     pub surface: Surface,
+    /// All vertices at which struts end.
+    pub whole: Surface,
     /// The struts of all wires in the order of the model; nothing is known of their forces.
     pub struts: Vec<ClosedStrut>,
     /// Of all wires.
@@ -40,7 +43,7 @@ impl Installation {
         &self,
         opened: Opened,
         choices: &PlanChoices,
-        chosen_faces: Option<&Input>,
+        chosen_faces: Option<&FacesChoice>,
         progress: &dyn Progress,
     ) -> Result<Wires, PlanningError> {
         let before = opened.notes.len();
@@ -74,7 +77,8 @@ impl Installation {
         let name = planned.opened.name.clone();
         let model = ClosingModel::new(&points, &wires, material.section())
             .map_err(|error| PlanningError::Closing { name: name.clone(), error })?;
-        let surface = surface(&points, &vertices, groups.as_deref(), wireframe);
+        let whole = model.whole();
+        let surface = groups.map_or_else(|| whole.clone(), |groups| surface(&points, &vertices, &groups));
         let joints_g = wireframe
             .vertices()
             .filter_map(|(_, vertex)| vertex.joint)
@@ -82,7 +86,7 @@ impl Installation {
         let notes = planned.opened.notes.into_iter().skip(before).collect();
         let length = wires.iter().map(|wire| wire.program.length()).sum();
         let bends = wires.iter().map(|wire| wire.program.bend_count()).sum();
-        Ok(Wires { material, model, surface, struts, length, bends, joints_g, notes, name })
+        Ok(Wires { material, model, surface, whole, struts, length, bends, joints_g, notes, name })
     }
 }
 

@@ -238,6 +238,26 @@ it("measures the closed shape on the faces of a file", async () => {
   await picture(editor.page, "frame-faces");
 });
 
+it("measures it on faces that are selected in the view", async () => {
+  await section().getByRole("button", { name: "All vertices" }).first().click();
+  const add = section().getByRole("button", { name: "Add as a face" }).first();
+  await editor.keys("Escape");
+  expect(await add.isDisabled()).toBe(true);
+  await editor.keys("Control+a");
+  await add.click();
+  const faces = section().getByRole("list", { name: "Faces" }).first();
+  await faces.getByText("24 vertices").waitFor();
+  expect(await add.isDisabled()).toBe(true);
+  await add.scrollIntoViewIfNeeded();
+  await picture(editor.page, "frame-face-selected");
+  await section().getByRole("button", { name: "Compute", exact: true }).click();
+  const closed = section().getByRole("table", { name: "Closed frame" });
+  await closed.getByText("1 face off flat, RMS").waitFor();
+  await closed.getByText("Off the drawing, RMS").waitFor();
+  await faces.getByRole("button", { name: "Remove face 1" }).click();
+  await section().getByText("all vertices", { exact: true }).first().waitFor();
+});
+
 it("cancels a long computation at once, and keeps what was there", async () => {
   const drawn = section().getByLabel("Wires drawn");
   await drawn.fill("10000");

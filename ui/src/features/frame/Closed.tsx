@@ -1,8 +1,9 @@
 import type { FrameShown, ResourcesReport } from "../../generated/responses";
 import { number } from "../../shared/figures/format";
 import { useLengths, useUnit } from "../../shared/figures/unit";
-import { baseName } from "../../state/files/files";
+import type { Faces } from "../../state/frame/faces";
 import { Part } from "../panel/Section";
+import { nameOfFaces } from "./faces_name";
 import { Place } from "./Place";
 import { displacement, force, stress } from "./words";
 
@@ -43,8 +44,10 @@ function Takes({ resources }: { readonly resources: ResourcesReport }) {
   return <Figures label="What it takes" rows={rows} />;
 }
 
+const offFlat = (faces: Faces): string => ("file" in faces ? `Faces of ${nameOfFaces(faces)}` : nameOfFaces(faces));
+
 /** Figures of the closed frame, over all wires that were drawn; as made and as closed of the first of them. */
-export function Closed({ shown, faces }: { readonly shown: FrameShown; readonly faces: string | null }) {
+export function Closed({ shown, faces }: { readonly shown: FrameShown; readonly faces: Faces | null }) {
   const unit = useUnit();
   const { closing, of_runs, resources, runs } = shown.result;
   const first = shown.shapes.closed;
@@ -52,10 +55,19 @@ export function Closed({ shown, faces }: { readonly shown: FrameShown; readonly 
   const sd = of_runs?.sd;
   const rows: readonly FigureRow[] = [
     [
-      faces === null ? "Off the drawing, RMS" : `Faces of ${baseName(faces)} off flat, RMS`,
-      displacement(closing.surface_rms_mm, unit),
-      sd ? `± ${displacement(sd.surface_rms_mm, unit)}` : "",
+      "Off the drawing, RMS",
+      displacement(closing.vertices_rms_mm, unit),
+      sd ? `± ${displacement(sd.vertices_rms_mm, unit)}` : "",
     ],
+    ...(faces === null
+      ? []
+      : ([
+          [
+            `${offFlat(faces)} off flat, RMS`,
+            displacement(closing.surface_rms_mm, unit),
+            sd ? `± ${displacement(sd.surface_rms_mm, unit)}` : "",
+          ],
+        ] as const)),
     ["Force along struts, RMS", force(closing.axial_rms_n), sd ? `± ${force(sd.axial_rms_n)}` : ""],
     ["Stress, RMS", stress(closing.von_mises_rms_mpa), sd ? `± ${stress(sd.von_mises_rms_mpa)}` : ""],
     [

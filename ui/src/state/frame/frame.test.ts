@@ -133,7 +133,7 @@ describe("a truss of closed formulas", () => {
   it("is asked for in place of the design, which may change", async () => {
     ask.mockResolvedValue({ material: "wire", governed_by: "surface", achieved: {}, notes: [] });
     const continuum = { rings: 408, depth_mm: 50, diameter_mm: 50_000 };
-    chooseFrame({ faces: "/there/faces.json" });
+    chooseFrame({ faces: { file: "/there/faces.json" } });
     require({ surface: 1, continuum });
     await askTolerance();
     expect(ask).toHaveBeenCalledWith("tolerance", expect.objectContaining({ continuum, faces: null }));

@@ -8,6 +8,7 @@ import type { Vec3 } from "../../scene/interface";
 import { told } from "../asking/problems";
 import { asking } from "../asking/work";
 import { useDesign } from "../design/design";
+import { type Faces, facesAsked, facesStillThere } from "./faces";
 import { showFrame } from "./shape";
 
 /** What holds the frame. */
@@ -40,8 +41,8 @@ export interface FrameChoice {
   readonly runs: number;
   /** Whether wires may run along edges twice. */
   readonly double: boolean;
-  /** The file of the faces that are to be flat; null: all vertices count. */
-  readonly faces: string | null;
+  /** The faces that are to be flat; null: all vertices count. */
+  readonly faces: Faces | null;
 }
 
 /** What is required of the closed frame; null: nothing. */
@@ -58,8 +59,8 @@ export interface Required {
 interface Answer<T> {
   readonly value: T;
   readonly basis: string;
-  /** The file of the faces that are measured; null: all vertices count. */
-  readonly faces: string | null;
+  /** The faces that are measured; null: all vertices count. */
+  readonly faces: Faces | null;
 }
 
 interface FrameStore extends FrameChoice {
@@ -172,7 +173,7 @@ export function frameRequest(choice: FrameChoice): FrameDesign {
     forces: [...forces].map(([vertex, force]) => ({ vertex, force_n: [...force] as [number, number, number] })),
     modes,
     bow: bow > 0 && modes > 0 ? { share: bow, seed: 1 } : null,
-    close: errors === null ? null : { errors, closing, runs, seed: 1, faces: faces === null ? null : { file: faces } },
+    close: errors === null ? null : { errors, closing, runs, seed: 1, faces: facesAsked(faces) },
     double: errors !== null && double,
   };
 }
@@ -257,7 +258,7 @@ export async function askTolerance(): Promise<void> {
       vary,
       closing,
       double,
-      faces: faces === null || continuum ? null : { file: faces },
+      faces: continuum ? null : facesAsked(faces),
       continuum,
     });
     answer = { tolerance: { value, basis, faces: continuum ? null : faces }, toleranceProblem: null };
@@ -285,10 +286,12 @@ export function forgetFrame(): void {
   showFrame(null);
 }
 
-/** Supports and forces at vertices that are not there any more go with them. */
+/** Supports and forces at vertices that are not there any more go with them, and so do their faces. */
 export function keepSupports(): void {
   const { vertices } = useDesign.getState();
-  const { chosen, forces } = useFrame.getState();
+  const { chosen, forces, faces } = useFrame.getState();
+  const flat = facesStillThere(faces, { vertices });
+  if (flat !== faces) useFrame.setState({ faces: flat });
   const left = [...chosen].filter((id) => vertices.has(id));
   if (left.length < chosen.size) useFrame.setState({ chosen: new Set(left) });
   const loaded = [...forces].filter(([id]) => vertices.has(id));

@@ -115,7 +115,7 @@ fn computing_a_frame_is_stopped() {
 
 /// Faces come from a file, for the closed frame and for the tolerance; a face that cannot be off is refused.
 #[test]
-fn faces_are_those_of_a_file() {
+fn faces_are_those_of_a_file_or_of_a_selection() {
     let window = Window::new();
     window.ask("open-example", json!({"id": "truss"}));
     let close = |faces: Value| {
@@ -124,14 +124,21 @@ fn faces_are_those_of_a_file() {
     };
     let surface = |asked: Value| number(&window.ask("frame", asked)["result"]["closing"]["surface_rms_mm"]);
     let faces = window.file("faces.json", b"[[0, 1, 2, 3, 4, 5]]");
-    assert!((surface(close(json!({"file": faces}))) - surface(close(Value::Null))).abs() > 1e-9);
+    let of_file = surface(close(json!({"input": {"file": faces}})));
+    assert!((of_file - surface(close(Value::Null))).abs() > 1e-9);
+    let selected = surface(close(json!({"vertices": [[5, 4, 3, 2, 1, 0]]})));
+    assert!((selected / of_file - 1.0).abs() < 1e-12, "{selected} {of_file}");
     let tolerance = json!({
-        "material": "steel-0-9mm", "required": {"surface_mm": 0.1}, "double": true, "faces": {"file": faces},
+        "material": "steel-0-9mm", "required": {"surface_mm": 0.1}, "double": true, "faces": {"input": {"file": faces}},
     });
     assert_eq!(window.ask("tolerance", tolerance)["governed_by"], "surface");
     let three = window.file("three.json", b"[[0, 1, 2]]");
-    let refusal = window.try_ask("frame", close(json!({"file": three}))).unwrap_err();
+    let refusal = window.try_ask("frame", close(json!({"input": {"file": three}}))).unwrap_err();
     assert!(refusal.message.contains("three.json"), "{}", refusal.message);
+    let refusal =
+        window.try_ask("frame", close(json!({"vertices": [[0, 1, 2, 3], [0, 1, 1, 2]]}))).unwrap_err();
+    let says = "what was selected is no list of faces: face 2 has 3 different vertices of 4";
+    assert!(refusal.message.starts_with(says), "{}", refusal.message);
 }
 
 /// A truss that is too large to solve: 8.40 µm for 1 mm of surface by Bend-Forming's formulas, of a depth of 50 mm and 50 m across.

@@ -24,13 +24,17 @@ fn figures(
     let closings = [Closing::Aligned, Closing::Coupled].map(|closing| {
         let expected = prepared.expected(closing, errors, &surface).unwrap();
         let closed = prepared.close(closing, &draw);
+        let whole = prepared.expected(closing, errors, &model.whole()).unwrap();
+        assert!((whole.surface_rms - expected.vertices_rms).abs() <= 1e-12 * expected.vertices_rms);
         [
             expected.surface_rms,
+            expected.vertices_rms,
             expected.axial_rms,
             expected.von_mises_rms,
             expected.energy,
             expected.largest_pull.unwrap_or(1.0),
             closed.surface_rms(&surface),
+            closed.surface_rms(&model.whole()),
             closed.axial_rms(),
             closed.von_mises_rms(),
             closed.energy,
@@ -85,7 +89,7 @@ fn lengths_do_not_care_where_the_wire_begins() {
     let points = Truss::new(1, DEPTH_OF_TEST).points;
     let expected = |vertices: &[usize]| {
         let all = figures(points.clone(), vertices, &faces(), &feeds(0.2));
-        [&all[..5], &all[10..15]].concat()
+        [&all[..6], &all[12..18]].concat()
     };
     let back: Vec<usize> = walk("accuracy-test").into_iter().rev().collect();
     same(&expected(&back), &expected(&walk("accuracy-test")));
