@@ -1,5 +1,6 @@
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { picture } from "../../support/browser.ts";
+import { confirmed } from "../../support/brute.ts";
 import { Editor, until } from "../../support/editor.ts";
 import { root } from "../../support/places.ts";
 
@@ -18,7 +19,7 @@ const slider = () => editor.page.getByLabel("Position in the sequence");
 const options = () => section().getByRole("listbox", { name: "Steps of building" }).getByRole("option");
 
 it("finds the order in which four struts are built, as the command line does", async () => {
-  await section().getByRole("button", { name: "Find", exact: true }).click();
+  await confirmed(editor, true, () => section().getByRole("button", { name: "Find", exact: true }).click());
   await until(() => options().count()).toBe(4);
   // docs/sequences.md.
   await section().getByText("0.0036 mm").first().waitFor();
@@ -52,7 +53,7 @@ it("checks an order of one's own at once, and takes it back", async () => {
     .getByText(/^Your order can(not)? be built$/)
     .waitFor();
   await options().nth(1).click();
-  await section().getByRole("button", { name: "Earlier" }).click();
+  await confirmed(editor, false, () => section().getByRole("button", { name: "Earlier" }).click());
   await section().getByText("Your order cannot be built").waitFor();
   await picture(editor.page, "sequence-wrong");
   await section().getByRole("button", { name: "Take back" }).click();
@@ -87,7 +88,7 @@ it("places the struts of a wire together, once the walks of the wires are chosen
   await editor.loopback.ask("edit", { request: { edit: "walks", walks } });
   await editor.reload("sequence");
   await section().getByText("A wire (2)").click();
-  await section().getByRole("button", { name: "Find", exact: true }).click();
+  await confirmed(editor, true, () => section().getByRole("button", { name: "Find", exact: true }).click());
   await until(() => options().count()).toBe(2);
   await section().getByRole("option").filter({ hasText: "0 +1" }).waitFor();
   await options().first().click();
