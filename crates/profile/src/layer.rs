@@ -6,8 +6,8 @@ use wirebend_error::ErrorRemedy;
 
 use crate::error::nearest;
 use crate::kind::is_slug;
-use crate::machine_rules::FIGURE;
 use crate::position::line_of;
+use crate::rules::FIGURE;
 use crate::{
     Kind, MAX_FILE_BYTES, MachineProfile, MaterialProfile, NoiseProfile, Place, Profile, ProfileError,
     SCHEMA_VERSION, StrutBuilderProfile,

@@ -119,5 +119,4 @@ fn forget(provenance: &mut BTreeMap<String, Origin>, path: &str) {
 }
 
 #[cfg(test)]
-#[path = "merge_tests.rs"]
 mod tests;

@@ -2,8 +2,8 @@
 
 use crate::Kind;
 use crate::heading::{heading, profile};
-use crate::machine_rules::{FIGURE, within};
 use crate::profile::{Fault, Profile, layer};
+use crate::rules::{FIGURE, within};
 use crate::sourced::Sourced;
 
 profile! {

@@ -22,8 +22,8 @@ const ORDER: &[(&str, &str)] = &[
     ),
     (
         "crates/profile",
-        "kind position sourced profile heading shape material machine machine_rules material_rules noise strut_builder \
-         strut_builder_rules schema error shipped layer merge resolved library resolve explain figures child check",
+        "kind position sourced profile heading shape material machine strut_builder rules noise \
+         schema error shipped layer merge resolved library resolve explain figures child check",
     ),
     ("crates/files", "limit length_unit encoding number document read write"),
     ("crates/journal", "error chain reading log"),

@@ -1,23 +1,21 @@
 //! Checks: what cannot be made and why, each with its measured value, the limit, where the limit
 //! comes from and what to do.
 //!
-//! A check is one file. The checks of a design look at the wireframe alone; those of a wire look at
+//! A check is one file. The checks of a design, in [`design`], look at the wireframe alone; those of a wire look at
 //! whatever stages it has got through, so that a design that cannot be bent is still explained.
 
 mod bend_angle;
 mod code;
-mod coincident;
 mod contact;
 mod corner_within_reach;
+mod design;
 mod diagnostic;
 mod edge_length;
-mod edges_meet;
 mod euler_path;
 mod fact;
 mod feed_length;
 mod fold_back;
 mod limit;
-mod parallel_edges;
 mod remedy;
 mod rotation;
 mod sharp_vertex;
@@ -26,10 +24,9 @@ mod small_corner;
 mod stock_length;
 mod strength;
 mod wire_diameter;
-mod wires;
-mod zero_length;
 
 pub use code::Code;
+pub use design::{Design, check_crossings, check_design};
 pub use diagnostic::{Diagnostic, Location, Severity};
 pub use fact::{BendOf, Fact};
 pub use limit::{Limit, LimitSource, Quantity, ReachLimit, Source, Sourced};
@@ -115,19 +112,6 @@ impl BendRadius {
     }
 }
 
-/// A wireframe and how thick its wire is, before any machine is asked.
-#[derive(Debug, Clone, Copy)]
-pub struct Design<'a> {
-    /// The wireframe.
-    pub wireframe: &'a Wireframe,
-    /// Its components.
-    pub components: &'a [Component],
-    /// Vertices closer than this are taken to be meant as one.
-    pub weld_tolerance: Length,
-    /// How thick the wire is.
-    pub diameter: Length,
-}
-
 /// One wire, with the stages that it has got through.
 #[derive(Debug, Clone, Copy)]
 pub struct WireStages<'a> {
@@ -201,29 +185,6 @@ impl WireStages<'_> {
             step: Some(step),
         }
     }
-}
-
-/// Everything worth saying about a design, in the order of the checks.
-#[must_use]
-pub fn check_design(design: &Design) -> Vec<Diagnostic> {
-    let checks =
-        [zero_length::check, parallel_edges::check, coincident::check, edges_meet::check, wires::check];
-    let mut found = Vec::new();
-    for check in checks {
-        check(design, &mut found);
-    }
-    found
-}
-
-/// Edges of such a diameter that run through each other where no vertex joins them, which nothing can be built of: nearer than half of
-/// it, also where one ends there. `tolerance`: up to this far apart vertices are taken for one.
-#[must_use]
-pub fn check_crossings(wireframe: &Wireframe, diameter: Length, tolerance: Length) -> Vec<Diagnostic> {
-    let mut found = Vec::new();
-    let design = Design { wireframe, components: &[], weld_tolerance: tolerance, diameter };
-    edges_meet::check_rigid(&design, &mut found);
-    found.retain(Diagnostic::is_error);
-    found
 }
 
 /// Everything worth saying about a wire on a machine, in the order of the checks.

@@ -146,7 +146,7 @@ fn sniff(bytes: &[u8]) -> Option<Format> {
             ("p" | "c" | "g", true) if points > 0 => return Some(Format::Pwf),
             ("vn" | "vt" | "f" | "l", true) if points > 0 => return Some(Format::Obj),
             ("F" | "R" | "B" | "f" | "r" | "b", true) if points == 0 => return Some(Format::Kit),
-            _ if number && super::pensa::is_command(first) => return Some(Format::Pensa),
+            _ if number && super::program::pensa::is_command(first) => return Some(Format::Pensa),
             _ => {}
         }
     }
@@ -154,5 +154,7 @@ fn sniff(bytes: &[u8]) -> Option<Format> {
         return Some(Format::Obj);
     }
     let table = Table::parse(&text);
-    table.is_numeric().then(|| if super::lra::looks_like(&table) { Format::Lra } else { Format::Xyz })
+    table
+        .is_numeric()
+        .then(|| if super::program::lra::looks_like(&table) { Format::Lra } else { Format::Xyz })
 }

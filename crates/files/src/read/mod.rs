@@ -5,7 +5,6 @@
 
 mod assembly;
 mod beside;
-mod columns;
 mod curves;
 mod detect;
 mod drawing;
@@ -16,26 +15,19 @@ pub mod frame;
 mod gcode;
 mod gltf;
 mod json;
-mod kit;
-mod lra;
-mod moves;
 mod note;
 mod obj;
 mod options;
 mod outline;
-mod pensa;
-mod pin_table;
 mod ply;
 mod program;
 mod pwf;
-mod sheet;
 mod stl;
 mod stroke;
 mod svg;
 mod table;
 mod text;
 mod threemf;
-mod xyz;
 
 use std::borrow::Cow;
 use std::io::Read;
@@ -50,10 +42,10 @@ pub use error::{Location, ReadError};
 pub use format::{Format, UnknownName};
 pub use note::{Note, NoteKind};
 pub use options::{DEFAULT_TOLERANCE_MM, Handedness, LengthUnit, ReadOptions};
-pub use pin_table::{PinPair, pin_table};
 pub use program::{ImportedProgram, wireframe_of_path};
-pub(crate) use sheet::{COLUMNS as SHEET_COLUMNS, EXPLANATIONS as SHEET_EXPLANATIONS};
-pub use sheet::{MeasuringSheet, SheetQuantity, SheetRow};
+pub use table::pin_table::{PinPair, pin_table};
+pub(crate) use table::sheet::{COLUMNS as SHEET_COLUMNS, EXPLANATIONS as SHEET_EXPLANATIONS};
+pub use table::sheet::{MeasuringSheet, SheetQuantity, SheetRow};
 
 use crate::document::Document;
 pub use crate::encoding::decode;
@@ -142,14 +134,14 @@ fn read_as(
         Format::Gltf => gltf::read(bytes, source, options),
         Format::Dxf => dxf::read(bytes, source, options),
         Format::Svg => svg::read(bytes, source, options),
-        Format::Xyz => xyz::read(bytes, source, options),
+        Format::Xyz => table::xyz::read(bytes, source, options),
         Format::Assembly => assembly::read(bytes, source, options),
         Format::Conmech => frame::read_conmech(bytes, source, options),
         Format::Pwf => pwf::read(bytes, source, options),
-        Format::Kit => kit::read(bytes, source, options),
-        Format::Pensa => pensa::read(bytes, source, options),
-        Format::Lra => lra::read(bytes, source, options),
-        Format::Moves => moves::read(bytes, source, options),
+        Format::Kit => program::kit::read(bytes, source, options),
+        Format::Pensa => program::pensa::read(bytes, source, options),
+        Format::Lra => program::lra::read(bytes, source, options),
+        Format::Moves => program::moves::read(bytes, source, options),
         Format::Wirebend => {
             let document = Document::open(bytes, name)?;
             let stencil: Stencil = document.surfaces_in_place().collect();

@@ -8,10 +8,10 @@
 
 use wirebend_error::ErrorRemedy;
 
-use super::error::{Location, ReadError};
-use super::note::{NoteKind, Notes};
-use super::table::{Column, Table};
-use super::text::Source;
+use super::super::error::{Location, ReadError};
+use super::super::note::{NoteKind, Notes};
+use super::super::text::Source;
+use super::{Column, Table};
 
 const LENGTH: &[&str] = &["l", "length", "feed", "straight", "y"];
 const DISTANCE: &[&str] = &["d"];
@@ -35,22 +35,26 @@ enum Holds {
 
 /// Where a table of bends has what.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Columns {
-    pub(super) length: usize,
+pub(in crate::read) struct Columns {
+    pub(in crate::read) length: usize,
     /// Whether lengths are distances from the start of the wire.
-    pub(super) is_distance: bool,
+    pub(in crate::read) is_distance: bool,
     /// Whether lengths run from corner to corner. Then the radius says nothing about them.
-    pub(super) corners: bool,
-    pub(super) twist: Option<usize>,
+    pub(in crate::read) corners: bool,
+    pub(in crate::read) twist: Option<usize>,
     /// Whether rotations count from the start of the wire.
-    pub(super) is_absolute: bool,
-    pub(super) angle: Option<usize>,
-    pub(super) radius: Option<usize>,
+    pub(in crate::read) is_absolute: bool,
+    pub(in crate::read) angle: Option<usize>,
+    pub(in crate::read) radius: Option<usize>,
 }
 
 impl Columns {
     /// By the header, else the first four: L, R, A and CLR.
-    pub(super) fn of(table: &Table<'_>, source: Source<'_>, notes: &mut Notes) -> Result<Self, ReadError> {
+    pub(in crate::read) fn of(
+        table: &Table<'_>,
+        source: Source<'_>,
+        notes: &mut Notes,
+    ) -> Result<Self, ReadError> {
         let Some(header) = &table.header else {
             if let Some((line, row)) = table.rows.iter().find(|(_, row)| row.len() > 4) {
                 let remedy = ErrorRemedy::NameColumns { columns: "L, R, A and CLR".to_owned() };
@@ -82,7 +86,7 @@ impl Columns {
 
     /// By the header alone; `None` where nothing tells how long the wire is. Where a value is there twice,
     /// that one is taken which needs the fewest others to be read.
-    pub(super) fn named(header: &[Column]) -> Option<Self> {
+    pub(in crate::read) fn named(header: &[Column]) -> Option<Self> {
         let is_military = is_military(header);
         let held: Vec<_> =
             header.iter().map(|column| if is_military { military(column) } else { holds(column) }).collect();

@@ -2,9 +2,9 @@
 
 use wirebend_error::ErrorRemedy;
 
-use super::error::{Location, ReadError};
-use super::table::Table;
-use super::text::{Source, lines};
+use super::super::error::{Location, ReadError};
+use super::super::text::{Source, lines};
+use super::Table;
 use crate::encoding::decode;
 
 /// What is read of a row.

@@ -9,7 +9,8 @@ use std::collections::BTreeMap;
 
 use close::{Close, Layout};
 
-use super::{Design, Diagnostic, Fact, Location, Remedy, Severity};
+use super::Design;
+use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity};
 use crate::units::Length;
 use crate::wireframe::{EdgeId, VertexId};
 

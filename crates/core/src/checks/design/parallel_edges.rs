@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::{Design, Diagnostic, Fact, Location, Remedy, Severity};
+use super::Design;
+use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity};
 
 pub(super) fn check(design: &Design, found: &mut Vec<Diagnostic>) {
     let mut first = BTreeMap::new();

@@ -1,8 +1,8 @@
 use proptest::prelude::*;
 
-use super::super::tests::only;
-use super::super::{Code, check_design};
 use super::*;
+use crate::checks::tests::only;
+use crate::checks::{Code, check_design};
 use crate::testing::{chain, mm, wireframe};
 use crate::wireframe::Wireframe;
 

@@ -10,20 +10,20 @@ use wirebend_core::bend::Step;
 use wirebend_core::units::{Angle, Length};
 use wirebend_error::ErrorRemedy;
 
-use super::Imported;
-use super::columns::Columns;
-use super::error::ReadError;
-use super::format::Format;
-use super::note::{NoteKind, Notes};
-use super::options::{Handedness, ReadOptions};
-use super::program::finish;
-use super::table::Table;
-use super::text::{Source, decode};
+use super::super::Imported;
+use super::super::error::ReadError;
+use super::super::format::Format;
+use super::super::note::{NoteKind, Notes};
+use super::super::options::{Handedness, ReadOptions};
+use super::super::table::Table;
+use super::super::table::columns::Columns;
+use super::super::text::{Source, decode};
+use super::finish;
 
 const CORRECT: ErrorRemedy = ErrorRemedy::CorrectFile;
 
 /// Whether a table has lengths, twists and angles rather than points.
-pub(super) fn looks_like(table: &Table<'_>) -> bool {
+pub(in crate::read) fn looks_like(table: &Table<'_>) -> bool {
     if let Some(header) = &table.header {
         return Columns::named(header).is_some_and(|columns| columns.angle.is_some())
             && table.column(&["x"]).is_none();
@@ -34,7 +34,11 @@ pub(super) fn looks_like(table: &Table<'_>) -> bool {
 }
 
 /// Reads a table; without a radius lengths are taken from corner to corner, which is noted.
-pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
+pub(in crate::read) fn read(
+    bytes: &[u8],
+    source: Source<'_>,
+    options: &ReadOptions,
+) -> Result<Imported, ReadError> {
     let text = decode(bytes);
     let table = Table::parse(&text);
     let mut notes = Notes::default();

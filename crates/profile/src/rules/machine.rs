@@ -1,13 +1,11 @@
 //! What a complete machine profile needs and what contradicts itself in one.
 
+use super::{FIGURE, above, within};
 use crate::Kind;
 use crate::heading::heading;
 use crate::kind::is_slug;
 use crate::machine::{BendMethod, MachineProfile};
 use crate::profile::{Fault, Profile};
-use crate::sourced::Sourced;
-
-type Figure = Option<Sourced<f64>>;
 
 const REQUIRED: &[(&str, &str)] = &[
     ("name", "a name for people"),
@@ -44,8 +42,6 @@ const PEG: &[(&str, &str)] = &[
     ("bend.orbit_offset_mm", FIGURE),
     ("bend.axis_limit_deg", FIGURE),
 ];
-pub(crate) const FIGURE: &str = "{\"value\": number, \"source\": text, \"measured\": true or false}";
-
 impl Profile for MachineProfile {
     const KIND: Kind = Kind::Machine;
     const WHOLE: &'static [&'static str] = &[];
@@ -184,27 +180,4 @@ impl MachineProfile {
             }
         }
     }
-}
-
-/// Asks for a value above zero.
-pub(crate) fn above(faults: &mut Vec<Fault>, key: &str, figure: &Figure) {
-    if let Some(figure) = figure
-        && figure.value <= 0.0
-    {
-        faults.push(Fault::new(key, figure.value, "a value above 0"));
-    }
-}
-
-/// Asks for a value in `[low, high]`; `f64::MIN` and `f64::MAX` mean no bound.
-pub(crate) fn within(faults: &mut Vec<Fault>, key: &str, figure: &Figure, low: f64, high: f64) {
-    let Some(figure) = figure else { return };
-    if figure.value >= low && figure.value <= high {
-        return;
-    }
-    let expected = match (low > f64::MIN, high < f64::MAX) {
-        (true, true) => format!("a value between {low} and {high}"),
-        (true, false) => format!("{low} or more"),
-        _ => format!("{high} or less"),
-    };
-    faults.push(Fault::new(key, figure.value, expected));
 }

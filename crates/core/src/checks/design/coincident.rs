@@ -1,6 +1,7 @@
 //! Vertices on top of each other look joined but are not.
 
-use super::{Design, Diagnostic, Fact, Location, Remedy, Severity};
+use super::Design;
+use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity};
 use crate::units::Length;
 use crate::wireframe::{VertexId, Welder};
 

@@ -1,5 +1,10 @@
 //! Programs of other tools: from commands to steps, and from steps to the wireframe they make.
 
+pub(super) mod kit;
+pub(super) mod lra;
+pub(super) mod moves;
+pub(super) mod pensa;
+
 use std::collections::BTreeSet;
 
 use nalgebra::Point3;

@@ -1,6 +1,7 @@
 //! Whether the wireframe is connected: each part that is not takes a wire of its own.
 
-use super::{Design, Diagnostic, Fact, Location, Remedy, Severity};
+use super::Design;
+use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity};
 
 pub(super) fn check(design: &Design, found: &mut Vec<Diagnostic>) {
     let wires: Vec<_> = design.components.iter().filter(|component| !component.edges.is_empty()).collect();

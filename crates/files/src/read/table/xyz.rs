@@ -3,17 +3,21 @@
 use nalgebra::Point3;
 use wirebend_error::ErrorRemedy;
 
-use super::Imported;
-use super::drawing::Drawing;
-use super::error::ReadError;
-use super::format::Format;
-use super::note::NoteKind;
-use super::options::{LengthUnit, ReadOptions};
-use super::table::Table;
-use super::text::{Source, decode};
+use super::super::Imported;
+use super::super::drawing::Drawing;
+use super::super::error::ReadError;
+use super::super::format::Format;
+use super::super::note::NoteKind;
+use super::super::options::{LengthUnit, ReadOptions};
+use super::super::text::{Source, decode};
+use super::Table;
 
 /// Reads columns x, y, z: by their header if there is one, else the only three that there are.
-pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
+pub(in crate::read) fn read(
+    bytes: &[u8],
+    source: Source<'_>,
+    options: &ReadOptions,
+) -> Result<Imported, ReadError> {
     let text = decode(bytes);
     let table = Table::parse(&text);
     let mut drawing = Drawing::default();

@@ -1,5 +1,10 @@
 //! Tables of numbers as spreadsheets and bending machines write them.
 
+pub(super) mod columns;
+pub(super) mod pin_table;
+pub(super) mod sheet;
+pub(super) mod xyz;
+
 use super::error::{Location, ReadError};
 use super::options::{Handedness, LengthUnit};
 use super::text::{Source, lines};

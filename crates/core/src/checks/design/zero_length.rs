@@ -1,6 +1,7 @@
 //! Edges without length have no direction, so no program can follow them.
 
-use super::{Design, Diagnostic, Fact, Location, Remedy, Severity};
+use super::Design;
+use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity};
 
 pub(super) fn check(design: &Design, found: &mut Vec<Diagnostic>) {
     for (id, edge) in design.wireframe.edges() {

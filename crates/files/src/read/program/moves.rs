@@ -8,14 +8,14 @@ use wirebend_core::bend::Step;
 use wirebend_core::units::{Angle, Length};
 use wirebend_error::ErrorRemedy;
 
-use super::Imported;
-use super::error::{Location, ReadError};
-use super::format::Format;
-use super::json;
-use super::note::{NoteKind, Notes};
-use super::options::ReadOptions;
-use super::program::finish;
-use super::text::Source;
+use super::super::Imported;
+use super::super::error::{Location, ReadError};
+use super::super::format::Format;
+use super::super::json;
+use super::super::note::{NoteKind, Notes};
+use super::super::options::ReadOptions;
+use super::super::text::Source;
+use super::finish;
 
 const FORMAT: &str = "wbmoves";
 /// The newest version that is known.
@@ -39,7 +39,11 @@ enum Move {
 }
 
 /// Reads a recording. A wire begins anew where the machine was homed.
-pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
+pub(in crate::read) fn read(
+    bytes: &[u8],
+    source: Source<'_>,
+    options: &ReadOptions,
+) -> Result<Imported, ReadError> {
     let read: Recording = json::parse(bytes, source, "a recording of moves")?;
     if read.format != FORMAT {
         let (found, expected) = (format!("\"format\": \"{}\"", read.format), "\"format\": \"wbmoves\"");

@@ -1,8 +1,8 @@
 //! What a complete material profile needs and what contradicts itself in one.
 
+use super::{FIGURE, above, within};
 use crate::Kind;
 use crate::heading::heading;
-use crate::machine_rules::{FIGURE, above, within};
 use crate::material::{LossPoint, MaterialProfile, Springback};
 use crate::profile::{Fault, Profile};
 

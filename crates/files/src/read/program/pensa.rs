@@ -6,21 +6,25 @@
 
 use wirebend_error::ErrorRemedy;
 
-use super::Imported;
-use super::error::{Location, ReadError};
-use super::format::Format;
-use super::note::{NoteKind, Notes};
-use super::options::ReadOptions;
-use super::program::{Commands, angle_of, feed_of, finish};
-use super::text::{Source, decode, lines};
+use super::super::Imported;
+use super::super::error::{Location, ReadError};
+use super::super::format::Format;
+use super::super::note::{NoteKind, Notes};
+use super::super::options::ReadOptions;
+use super::super::text::{Source, decode, lines};
+use super::{Commands, angle_of, feed_of, finish};
 
 /// Whether a word is a command of the script.
-pub(super) fn is_command(word: &str) -> bool {
+pub(in crate::read) fn is_command(word: &str) -> bool {
     ["FEED", "ROTATE", "BEND", "PINZ"].iter().any(|command| word.eq_ignore_ascii_case(command))
 }
 
 /// Reads a script; pin commands are counted and ignored.
-pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
+pub(in crate::read) fn read(
+    bytes: &[u8],
+    source: Source<'_>,
+    options: &ReadOptions,
+) -> Result<Imported, ReadError> {
     let factor = options.units.unwrap_or_default().mm() * options.scale;
     let mut commands = Commands::default();
     let mut notes = Notes::default();
