@@ -69,6 +69,33 @@ it("ends at a vertex that is there, and the next click begins anew", async () =>
   expect(strand.end).toMatchObject({ kind: "place", at: [7, 0, 0] });
 });
 
+it("does not go on while the stroke that ends it is on its way", async () => {
+  const made: (() => void)[] = [];
+  const strand = new Strand(
+    () => new Promise((resolve) => made.push(() => resolve(50))),
+    async () => false,
+    () => undefined,
+    () => undefined,
+  );
+  const settled = () => new Promise((resolve) => setTimeout(resolve));
+  await strand.click(place(1));
+  expect(strand.goesOn).toBe(true);
+  const between = strand.click(place(2));
+  await settled();
+  // What is typed meanwhile is of the edge after this one.
+  expect(strand.goesOn).toBe(true);
+  made.pop()?.();
+  await between;
+  const last = strand.click(vertex(7));
+  await settled();
+  expect(strand.end).not.toBeNull();
+  expect(strand.goesOn).toBe(false);
+  made.pop()?.();
+  await last;
+  await strand.click(place(3));
+  expect(strand.goesOn).toBe(true);
+});
+
 it("splits the edge that it begins on", async () => {
   const { strokes } = await clicked([edge(6, 1), place(2)]);
   expect(strokes).toEqual([{ from: null, through: [[2, 0, 0]], to: null, split: { edge: 6, at: 0.25, end: "from" } }]);

@@ -18,6 +18,8 @@ const SAME = 1e-6;
 
 export class Strand {
   end: StrandEnd | null = null;
+  /** The click that is being taken ends it. */
+  private ending = false;
   /** Clicks are taken in order, each after the stroke of the one before was made. */
   private queue: Promise<void> = Promise.resolve();
   /** Clicks from before the strand was broken off were meant for it, and do not begin another. */
@@ -43,6 +45,11 @@ export class Strand {
     return done;
   }
 
+  /** Whether another edge is to come: what is typed then is of that one. */
+  get goesOn(): boolean {
+    return this.end !== null && !this.ending;
+  }
+
   /** Ends it; whether there was one. */
   cancel(): boolean {
     const open = this.end !== null;
@@ -62,11 +69,13 @@ export class Strand {
     }
     if (distance(end.at, target.at) < SAME || (end.kind === "vertex" && end.id === target.vertex)) return;
     const { generation } = this;
+    const ends = draws === "line" ? meets(target) : target.vertex !== undefined || target.edge !== undefined;
+    this.ending = ends;
     try {
       if (draws === "line") {
         const made = await this.line(end.at, target.at);
         if (generation !== this.generation) return;
-        if (meets(target)) return this.finish();
+        if (ends) return this.finish();
         if (!made) return void this.cancel();
         this.end = { kind: "line", at: target.at };
         this.changed();
@@ -86,7 +95,7 @@ export class Strand {
       }
       const next = await this.stroke(strokeTo(from === null ? end : { kind: "vertex", id: from, at: end.at }, target));
       if (generation !== this.generation) return;
-      if (target.vertex !== undefined || target.edge !== undefined) return this.finish();
+      if (ends) return this.finish();
       if (next === null) return void this.cancel();
       this.end = { kind: "vertex", id: next, at: target.at };
       this.changed();
@@ -98,6 +107,7 @@ export class Strand {
 
   private finish(): void {
     this.end = null;
+    this.ending = false;
     this.changed();
     this.ended();
   }

@@ -72,12 +72,12 @@ export class TraceTool extends ClickTool {
   key(event: KeyboardEvent): boolean {
     if (event.ctrlKey || event.metaKey || event.altKey) return false;
     const { key } = event;
-    if (this.strand.end && key === "Tab") {
+    if (this.strand.goesOn && key === "Tab") {
       this.typed.other();
       this.show();
       return true;
     }
-    if (this.strand.end && this.typed.type(key)) {
+    if (this.strand.goesOn && this.typed.type(key)) {
       this.show();
       return true;
     }
