@@ -3,12 +3,12 @@
 
 import { useMemo } from "react";
 import type { Prediction } from "../../generated/responses";
+import { Fold } from "../../shared/controls/Fold";
 import { useUnit } from "../../shared/figures/unit";
 import { Rows } from "../../shared/lists/Rows";
 import { highlight, select } from "../../state/design/selection";
 import { frame } from "../../state/window/view";
 import { displacement } from "../frame/words";
-import { Fold } from "../machine/Fold";
 import { byVertex } from "./spread";
 
 const ROW = 28;

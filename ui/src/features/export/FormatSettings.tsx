@@ -1,11 +1,11 @@
 import type { FormatEntry } from "../../generated/responses";
 import { Button } from "../../shared/controls/Button";
+import { Fold } from "../../shared/controls/Fold";
 import { count } from "../../shared/figures/format";
 import { useUnit } from "../../shared/figures/unit";
 import { useDesign } from "../../state/design/design";
 import { asSet, setSettings, settingsOf, useExports } from "../../state/files/exports";
 import { useMachines } from "../../state/machine/machines";
-import { Fold } from "../machine/Fold";
 import { SettingsForm } from "../machine/settings/SettingsForm";
 import { changedKeys } from "../machine/settings/values";
 

@@ -2,6 +2,7 @@ import { useState } from "react";
 import type { Vec3 } from "../../scene/interface";
 import { Button } from "../../shared/controls/Button";
 import { Field } from "../../shared/controls/Field";
+import { Fold } from "../../shared/controls/Fold";
 import { Segmented, Select } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
 import { count } from "../../shared/figures/format";
@@ -9,7 +10,6 @@ import { useSelection } from "../../state/design/selection";
 import { baseName } from "../../state/files/files";
 import { chooseFrame, useFrame } from "../../state/frame/frame";
 import { chooseLoadCase, DOWN, dropLoads, loadCase, pickLoads, putForce } from "../../state/frame/loads";
-import { Fold } from "../machine/Fold";
 import { Place } from "./Place";
 import { caseSays, forceParts } from "./words";
 

@@ -1,5 +1,5 @@
 import type { FrameShown, LoadCaseEntry } from "../../generated/responses";
-import { count, type DisplayUnit, length, number, percent, short } from "../../shared/figures/format";
+import { count, type DisplayUnit, length, number, percent, short, unitSize } from "../../shared/figures/format";
 import type { Coloured, FrameView } from "../../state/frame/shape";
 
 /** What is less moves nothing that could be measured; in the unit that is shown. */
@@ -7,7 +7,7 @@ const LEAST = 0.0001;
 
 /** A number of the unit, with three digits, and no more than four behind the point. */
 export function displacementNumber(mm: number, unit: DisplayUnit): string {
-  const shown = unit === "inch" ? mm / 25.4 : mm;
+  const shown = mm / unitSize(unit);
   if (shown !== 0 && Math.abs(shown) < LEAST) return `< ${LEAST}`;
   const rounded = Number(shown.toPrecision(3));
   return short(Number(rounded.toFixed(4)));
@@ -19,7 +19,7 @@ export const displacement = (mm: number, unit: DisplayUnit): string =>
 
 /** How exactly something is made: three digits, however small it is. */
 export const exactness = (mm: number, unit: DisplayUnit): string =>
-  `${short(unit === "inch" ? mm / 25.4 : mm, 3)} ${unit === "inch" ? "in" : "mm"}`;
+  `${short(mm / unitSize(unit), 3)} ${unit === "inch" ? "in" : "mm"}`;
 
 export const force = (newton: number): string => `${short(newton, 3)} N`;
 export const stress = (mpa: number): string => `${short(mpa, 3)} MPa`;

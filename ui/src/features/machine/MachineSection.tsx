@@ -1,5 +1,6 @@
 import { useEffect } from "react";
 import { Button } from "../../shared/controls/Button";
+import { Fold } from "../../shared/controls/Fold";
 import { count } from "../../shared/figures/format";
 import { useUnit } from "../../shared/figures/unit";
 import { useDesign } from "../../state/design/design";
@@ -12,7 +13,6 @@ import { MachineList } from "./choosing/MachineList";
 import { Materials } from "./choosing/Materials";
 import { Drivers, waits } from "./drivers/Drivers";
 import { ProfileEditor } from "./editor/ProfileEditor";
-import { Fold } from "./Fold";
 import { ImportProfile } from "./profile/ImportProfile";
 import { ThisMachine } from "./profile/ThisMachine";
 import "./machine.css";

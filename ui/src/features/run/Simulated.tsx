@@ -1,8 +1,8 @@
 import type { SimulatedAs } from "../../generated/requests";
 import { Field } from "../../shared/controls/Field";
+import { Fold } from "../../shared/controls/Fold";
 import { Select } from "../../shared/controls/inputs";
 import { useMachines } from "../../state/machine/machines";
-import { Fold } from "../machine/Fold";
 
 /** What the simulated machine has instead of what its profile says: no real machine is exactly as its profile says either. */
 export function Simulated({

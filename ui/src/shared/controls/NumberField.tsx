@@ -1,6 +1,6 @@
 import { type FocusEvent, type KeyboardEvent, type MouseEvent, useEffect, useRef, useState } from "react";
 import "./controls.css";
-import { type DisplayUnit, lengthNumber, number, short, unitName } from "../figures/format";
+import { type DisplayUnit, lengthNumber, number, short, unitName, unitSize } from "../figures/format";
 import { parseAngle, parseLength, parseNumber } from "../figures/parse";
 import { useUnit } from "../figures/unit";
 
@@ -32,7 +32,7 @@ const plainNumber = (unit: string): Kind => ({
 
 /** A length of a machine, which has as many digits as were measured; `per`: "/s" of a speed. */
 const fineLength = (unit: DisplayUnit, per: string): Kind => {
-  const mm = unit === "inch" ? 25.4 : 1;
+  const mm = unitSize(unit);
   return {
     unit: unitName(unit) + per,
     expected: lengthExpected(unit),

@@ -3,7 +3,7 @@
 /** What lengths are shown in. */
 export type DisplayUnit = "mm" | "inch";
 
-const MM_PER_INCH = 25.4;
+export const MM_PER_INCH = 25.4;
 const THIN = "\u202f";
 const MINUS = "\u2212";
 
@@ -32,7 +32,7 @@ function lengthDigits(unit: DisplayUnit): number {
 }
 
 /** mm in one of the unit. */
-const unitSize = (unit: DisplayUnit): number => (unit === "inch" ? MM_PER_INCH : 1);
+export const unitSize = (unit: DisplayUnit): number => (unit === "inch" ? MM_PER_INCH : 1);
 
 /** mm as a number of the unit, without the unit: for columns and fields that name it. */
 export function lengthNumber(mm: number, unit: DisplayUnit, finer = 0): string {

@@ -1,18 +1,20 @@
-import type { DisplayUnit } from "./format";
+import { type DisplayUnit, MM_PER_INCH, unitSize } from "./format";
+
+const MM_PER_FOOT = 304.8;
 
 /** mm of one of what people write behind a number. */
 const LENGTHS: Readonly<Record<string, number>> = {
   mm: 1,
   cm: 10,
   m: 1000,
-  in: 25.4,
-  inch: 25.4,
-  inches: 25.4,
-  '"': 25.4,
-  "\u2033": 25.4,
-  ft: 304.8,
-  "'": 304.8,
-  "\u2032": 304.8,
+  in: MM_PER_INCH,
+  inch: MM_PER_INCH,
+  inches: MM_PER_INCH,
+  '"': MM_PER_INCH,
+  "\u2033": MM_PER_INCH,
+  ft: MM_PER_FOOT,
+  "'": MM_PER_FOOT,
+  "\u2032": MM_PER_FOOT,
 };
 
 /** "12.5", "12,5", "1/2", "1 1/2", "1 250,5", "−3", or a sum such as "-0.3+30"; null for what is no number. */
@@ -63,7 +65,7 @@ function parseFeet(text: string): number | null {
   const [, sign, feet = "", rest = ""] = FEET.exec(text.replace(/\u2212/g, "-")) ?? [];
   const inches = parseOneNumber(rest);
   if (inches === null || inches >= 12) return null;
-  const value = Number(feet) * 304.8 + inches * 25.4;
+  const value = Number(feet) * MM_PER_FOOT + inches * MM_PER_INCH;
   return sign === "-" ? -value : value;
 }
 
@@ -77,7 +79,7 @@ function parseOneLength(text: string, unit: DisplayUnit): number | null {
   if (feet !== null) return feet;
   const [, before = "", word = ""] = /^(.*?)\s*([a-z]+|["'\u2032\u2033])?$/i.exec(text.trim()) ?? [];
   const value = parseOneNumber(before);
-  const factor = word === "" ? (unit === "inch" ? 25.4 : 1) : LENGTHS[word.toLowerCase()];
+  const factor = word === "" ? unitSize(unit) : LENGTHS[word.toLowerCase()];
   return value === null || factor === undefined ? null : value * factor;
 }
 

@@ -1,5 +1,5 @@
 import type { HeadReport } from "../../../generated/responses";
-import { short, unitName } from "../../../shared/figures/format";
+import { short, unitName, unitSize } from "../../../shared/figures/format";
 import { useUnit } from "../../../shared/figures/unit";
 import { drawingOf } from "./drawing";
 
@@ -16,7 +16,7 @@ export function HeadPicture({ head, active }: { readonly head: HeadReport | null
       </div>
     );
   const { wire, path, pin, peg, orbit, begin, dimensions } = drawingOf(head, WIDTH, HEIGHT);
-  const figure = (mm: number) => `${short(mm / (unit === "inch" ? 25.4 : 1), 5)} ${unitName(unit)}`;
+  const figure = (mm: number) => `${short(mm / unitSize(unit), 5)} ${unitName(unit)}`;
   return (
     <figure className="head-picture">
       <svg viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label="The bend head from above, to scale">

@@ -1,7 +1,7 @@
 /** How values of profiles and where they come from are said. */
 
 import type { ValueReport } from "../../../generated/responses";
-import { type DisplayUnit, short, unitName } from "../../../shared/figures/format";
+import { type DisplayUnit, short, unitName, unitSize } from "../../../shared/figures/format";
 import type { FieldSpec } from "./fields";
 
 /** Where a value comes from: "Measured: caliper", or the profile that sets it. */
@@ -17,8 +17,7 @@ function shown(spec: FieldSpec, value: unknown, unit: DisplayUnit): string {
   if (value === null || value === undefined) return spec.absent ?? "none";
   if (typeof value === "boolean") return value ? "yes" : "no";
   if (typeof value !== "number") return typeof value === "string" ? value : "other pairs";
-  if (spec.kind === "length")
-    return `${short(value / (unit === "inch" ? 25.4 : 1))} ${unitName(unit)}${spec.per ?? ""}`;
+  if (spec.kind === "length") return `${short(value / unitSize(unit))} ${unitName(unit)}${spec.per ?? ""}`;
   const own = spec.kind === "number" ? (spec.unit ?? "") : spec.kind === "springback" ? "°" : "";
   return own === "" ? short(value) : `${short(value)}${own.startsWith("°") ? "" : " "}${own}`;
 }

@@ -1,11 +1,11 @@
 import { useEffect, useMemo, useRef, useState } from "react";
 import { Button } from "../../../shared/controls/Button";
+import { Fold } from "../../../shared/controls/Fold";
 import { TextInput } from "../../../shared/controls/inputs";
 import { count } from "../../../shared/figures/format";
 import { told } from "../../../state/asking/problems";
 import { asText, clockOf, filtered } from "../../../state/machine/console";
 import { clearConsole, useRun } from "../../../state/machine/run";
-import { Fold } from "../../machine/Fold";
 import { ConsoleInput } from "./ConsoleInput";
 
 /** px from the end at which new lines still scroll along. */

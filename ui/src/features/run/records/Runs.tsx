@@ -1,9 +1,9 @@
 import { useEffect } from "react";
+import { Fold } from "../../../shared/controls/Fold";
 import { count } from "../../../shared/figures/format";
 import { useUnit } from "../../../shared/figures/unit";
 import { Line } from "../../../shared/lists/Line";
 import { loadRuns, useRun } from "../../../state/machine/run";
-import { Fold } from "../../machine/Fold";
 import { madePhrase } from "./records";
 
 /** More are of no interest at a machine. */

@@ -1,5 +1,6 @@
 import { type ReactNode, useId, useState } from "react";
-import { Icon } from "../../shared/controls/icons";
+import { Icon } from "./icons";
+import "./fold.css";
 
 /** A part of a section that is open or not, with a phrase that shows its state while it is not. */
 export function Fold({
