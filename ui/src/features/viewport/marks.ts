@@ -1,8 +1,8 @@
-import type { DiagnosticReport, LiveCheck } from "../../generated/responses";
+import type { DiagnosticCode, DiagnosticReport, LiveCheck } from "../../generated/responses";
 import type { SceneDesign, SceneLabel, SceneMarks, Vec3, Verdict } from "../../scene/interface";
 
 /** What a diagnostic is about: of a step it names both, the vertex of its bend and the edges of its feed. */
-const ABOUT_EDGES: ReadonlySet<string> = new Set([
+const ABOUT_EDGES: ReadonlySet<DiagnosticCode> = new Set([
   "edge_too_short",
   "edge_near_limit",
   "feed_too_short",
@@ -19,7 +19,7 @@ const ABOUT_EDGES: ReadonlySet<string> = new Set([
   "strut_floating",
   "no_head_direction",
 ]);
-const ABOUT_VERTICES: ReadonlySet<string> = new Set([
+const ABOUT_VERTICES: ReadonlySet<DiagnosticCode> = new Set([
   "bend_too_sharp",
   "bend_near_limit",
   "bend_out_of_reach",
