@@ -1,7 +1,7 @@
 //! Checks: what cannot be made and why, each with its measured value, the limit, where the limit
 //! comes from and what to do.
 //!
-//! A check is one file. The checks of a design, in [`design`], look at the wireframe alone; those of a wire look at
+//! A check is one file. The checks of a design, in `design`, look at the wireframe alone; those of a wire look at
 //! whatever stages it has got through, so that a design that cannot be bent is still explained.
 
 mod bend_angle;
