@@ -8,8 +8,8 @@ use serde_json::Value;
 use wirebend_tests_brute::{Step, Task};
 
 fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
-    let files: Vec<String> = std::env::args().skip(1).collect();
-    let [design, sequence] = files.as_slice() else {
+    let arguments: Vec<String> = std::env::args().collect();
+    let [_, design, sequence] = arguments.as_slice() else {
         return Err("expected a design and a sequence".into());
     };
     let read = |file: &String| -> Result<Value, Box<dyn std::error::Error>> {

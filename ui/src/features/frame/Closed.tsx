@@ -3,7 +3,7 @@ import { number } from "../../shared/figures/format";
 import { useLengths, useUnit } from "../../shared/figures/unit";
 import type { Faces } from "../../state/frame/faces";
 import { Part } from "../panel/Section";
-import { nameOfFaces } from "./faces_name";
+import { facesOf } from "./faces_name";
 import { Place } from "./Place";
 import { displacement, force, stress } from "./words";
 
@@ -44,8 +44,6 @@ function Takes({ resources }: { readonly resources: ResourcesReport }) {
   return <Figures label="What it takes" rows={rows} />;
 }
 
-const offFlat = (faces: Faces): string => ("file" in faces ? `Faces of ${nameOfFaces(faces)}` : nameOfFaces(faces));
-
 /** Figures of the closed frame, over all wires that were drawn; as made and as closed of the first of them. */
 export function Closed({ shown, faces }: { readonly shown: FrameShown; readonly faces: Faces | null }) {
   const unit = useUnit();
@@ -63,7 +61,7 @@ export function Closed({ shown, faces }: { readonly shown: FrameShown; readonly 
       ? []
       : ([
           [
-            `${offFlat(faces)} off flat, RMS`,
+            `${facesOf(faces)} off flat, RMS`,
             displacement(closing.surface_rms_mm, unit),
             sd ? `± ${displacement(sd.surface_rms_mm, unit)}` : "",
           ],

@@ -11,7 +11,7 @@ import { askTolerance, require, useFrame, useToleranceStale } from "../../state/
 import { Notes } from "../panel/Notes";
 import { Part } from "../panel/Section";
 import { Faces } from "./Faces";
-import { nameOfFaces } from "./faces_name";
+import { facesOf } from "./faces_name";
 import { displacement, exactness, force, frequency, stress } from "./words";
 
 /** A truss of the size of an antenna, in place of the design. */
@@ -101,7 +101,7 @@ export function Tolerance() {
   const rows = found && [
     {
       of: "surface",
-      label: tolerance.faces === null ? "Shape" : nameOfFaces(tolerance.faces),
+      label: tolerance.faces === null ? "Shape" : facesOf(tolerance.faces),
       limit: required.surface,
       is: found.achieved.surface_mm,
       show: (mm: number) => displacement(mm, unit),

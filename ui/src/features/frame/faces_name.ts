@@ -6,3 +6,7 @@ import type { Faces } from "../../state/frame/faces";
 export function nameOfFaces(faces: Faces): string {
   return "file" in faces ? baseName(faces.file) : count(faces.vertices.length, "face");
 }
+
+/** The same where nothing beside it says that these are faces. */
+export const facesOf = (faces: Faces): string =>
+  "file" in faces ? `Faces of ${nameOfFaces(faces)}` : nameOfFaces(faces);
