@@ -84,12 +84,11 @@ run-commands: build ## plan the bunny, compare machines, bend the house on the s
 # Vite serves the editor and reloads it at each change of ui/src; a change of Rust restarts the window.
 .PHONY: dev
 dev: check-tools window-tools ui/node_modules/.package-lock.json ## the window with hot reload; without a display the same in a browser
-	@# As `make check` has built it: with fewer packages their dependencies would be compiled anew, for other features.
-	cargo build --lib --bins
+	@# In the browser as `make check` has built it: with fewer packages their dependencies would be compiled anew, for other features.
 	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ] || [ "$$(uname)" != Linux ]; then \
-		cd src-tauri && ../ui/node_modules/.bin/tauri dev; \
+		cargo build $(DRIVERS:%=--package wirebend-driver-%) && cd src-tauri && ../ui/node_modules/.bin/tauri dev; \
 	else \
-		$(NPM) run --silent dev:browser -- $(CURDIR)/target/debug/wirebend-loopback $(CURDIR)/target/dev; \
+		cargo build --lib --bins && $(NPM) run --silent dev:browser -- $(CURDIR)/target/debug/wirebend-loopback $(CURDIR)/target/dev; \
 	fi
 
 .PHONY: firmware
