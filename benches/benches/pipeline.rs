@@ -36,7 +36,6 @@ fn planning(name: &str, bytes: Vec<u8>, face_edges: bool, double: bool) -> Comma
         output: None,
         make_job: false,
         pauses: Vec::new(),
-        sag: false,
         despite_errors: true,
     })
 }

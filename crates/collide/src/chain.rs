@@ -57,6 +57,26 @@ impl Chain {
             length += k.checked_sub(1).map_or(0.0, |before| (point - points[before]).norm());
             along.push(length);
         }
+        Self::with(points, along)
+    }
+
+    /// The same chain, or its begin, with its points elsewhere. Lengths along it are still those of this one.
+    ///
+    /// ```
+    /// use nalgebra::Point3;
+    /// use wirebend_collide::Chain;
+    /// let straight = Chain::new((0..4).map(|k| Point3::new(f64::from(k), 0.0, 0.0)).collect());
+    /// let lifted = straight.moved(vec![Point3::new(0.0, 0.0, 0.5), Point3::new(1.0, 0.0, 0.0)]);
+    /// assert_eq!((lifted.pieces(), lifted.along()), (1, &[0.0, 1.0][..]));
+    /// ```
+    #[must_use]
+    pub fn moved(&self, mut points: Vec<Point3<f64>>) -> Self {
+        points.truncate(self.points.len());
+        let along = self.along[..points.len()].to_vec();
+        Self::with(points, along)
+    }
+
+    fn with(points: Vec<Point3<f64>>, along: Vec<f64>) -> Self {
         let mut chain = Self { points, along, balls: Vec::new() };
         if let Some(all) = chain.all() {
             chain.balls.reserve(2 * chain.pieces());

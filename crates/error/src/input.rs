@@ -49,6 +49,8 @@ pub enum InputName {
     AvoidCollisions,
     /// How far the wire has to stay from what it could hit.
     Clearance,
+    /// How far the part already bent sags.
+    Sag,
     /// How often a job is simulated.
     Runs,
     /// How close the vertices of a simulated wire have to be to their places.
@@ -131,6 +133,7 @@ impl InputName {
             Self::Collisions => "check for collisions",
             Self::AvoidCollisions => "search for a program without collisions",
             Self::Clearance => "clearance",
+            Self::Sag => "sag",
             Self::Runs => "number of runs",
             Self::Within => "accuracy",
             Self::Supports => "supports",

@@ -246,6 +246,8 @@ mod tests {
             stock_mm: 600.0,
             time_s: 1.0,
             avoids_collisions: false,
+            clearance_mm: None,
+            sag: false,
             pauses: Vec::new(),
         }
     }

@@ -9,7 +9,6 @@ use wirebend_core::checks::Diagnostic;
 use wirebend_core::clearance::{Body, FirstContact, Obstacle};
 use wirebend_core::motion::moments;
 use wirebend_core::plan::{WirePlan, clearance, keep_contacts};
-use wirebend_core::units::Length;
 
 use crate::contacts::{PATIENCE, first_contacts, not_searched};
 use crate::machine::Setup;
@@ -66,11 +65,11 @@ impl Planned {
         for plan in &mut self.wires {
             let Some(steps) = steps_of(plan) else { continue };
             let machine = &self.setup.model;
-            let searched = clearance(wireframe, machine, plan, Length::ZERO)
+            let searched = clearance(wireframe, machine, plan)
                 .map(|clearance| first_contacts(&clearance, |step| goes_on(done + step, of)));
             let stopped = searched.as_ref().is_some_and(|searched| !searched.whole);
             let contacts = searched.map(|searched| searched.contacts);
-            let findings = keep_contacts(wireframe, machine, plan, contacts, Length::ZERO);
+            let findings = keep_contacts(wireframe, machine, plan, contacts);
             all.contacts.extend(contacts_of(plan, wire, &self.setup, &findings));
             plan.diagnostics.extend(findings);
             plan.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);

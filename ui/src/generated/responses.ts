@@ -578,6 +578,7 @@ export type InputName =
   | "collisions"
   | "avoid-collisions"
   | "clearance"
+  | "sag"
   | "runs"
   | "within"
   | "supports"
@@ -689,6 +690,7 @@ export type DiagnosticCode =
   | "wire_does_not_fit"
   | "bend_torque_low"
   | "bend_radius_small"
+  | "part_sags"
   | "meets_machine"
   | "meets_stock"
   | "no_clear_program"
@@ -714,6 +716,9 @@ export type RemedyReport =
     }
   | {
       remedy: "leave_room";
+    }
+  | {
+      remedy: "hold_up";
     }
   | {
       remedy: "tie_wires";

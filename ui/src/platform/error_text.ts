@@ -27,6 +27,7 @@ const INPUTS: Readonly<Record<InputName, string>> = {
   collisions: "the check for collisions",
   "avoid-collisions": "the search for a program without collisions",
   clearance: "the clearance",
+  sag: "the sag",
   runs: "the number of runs",
   within: "the accuracy",
   supports: "the supports",

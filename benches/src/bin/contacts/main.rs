@@ -40,7 +40,7 @@ fn main() -> Result<()> {
     let component = &bunny.components()[0];
     let plan = plan_wires(&bunny, component, &machine, &options, |_| ());
     let plan = plan.first().context("a wire")?;
-    show("bunny", || clearance_of(&bunny, &machine, plan, Length::ZERO).context("a program"))?;
+    show("bunny", || clearance_of(&bunny, &machine, plan).context("a program"))?;
     peer::compare(&machine, &python)?;
     brute::compare(&machine, programs)
 }
@@ -93,6 +93,7 @@ fn clearance<'a>(machine: &'a Machine, steps: &[Step]) -> Clearance<'a> {
         bend_radius: machine.bend_radius,
         tail: machine.limits.tail.value,
         margin: Length::ZERO,
+        hangs: None,
     };
     let bend = &machine.compensation.bend;
     Clearance::new((Frame::default(), steps), None, passages(steps), wire, &machine.bodies, bend)

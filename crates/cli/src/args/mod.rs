@@ -118,9 +118,6 @@ pub(crate) enum Subcommands {
         /// another wire than the first; may be given again
         #[arg(long = "pause", value_name = "STEP:NOTE", conflicts_with = "compare", value_parser = parse_pause)]
         pauses: Vec<StepPause>,
-        /// Say how far the part already bent sags under its own weight while it is bent
-        #[arg(long, conflicts_with = "compare")]
-        sag: bool,
     },
     /// Write what a machine, another program or a person reads
     #[command(

@@ -122,6 +122,9 @@ pub(crate) struct ChoiceArgs {
     /// Without weights fewest wires count first, then the least doubled length, then the least time
     #[arg(long, value_name = "WEIGHTS", requires = "avoid_collisions", value_parser = parse_weights)]
     pub weights: Option<SearchWeights>,
+    /// Say how far the part already bent sags under its own weight while it is bent; with --collisions, look as it hangs
+    #[arg(long)]
+    pub sag: bool,
     #[command(flatten)]
     pub clearance: ClearanceArgs,
 }

@@ -245,6 +245,7 @@ const fn option(input: InputName) -> &'static str {
         InputName::Collisions => "--collisions",
         InputName::AvoidCollisions => "--avoid-collisions",
         InputName::Clearance => "--clearance",
+        InputName::Sag => "--sag",
         InputName::Runs => "--runs",
         InputName::Within => "--within",
         InputName::Supports => "--supports",

@@ -30,6 +30,7 @@ fn option(remedy: &RemedyReport) -> Option<&'static str> {
         RemedyReport::Leave
         | RemedyReport::LeaveTouching
         | RemedyReport::LeaveRoom
+        | RemedyReport::HoldUp
         | RemedyReport::TieWires
         | RemedyReport::FastenThere
         | RemedyReport::JoinEdges

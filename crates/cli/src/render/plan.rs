@@ -91,8 +91,16 @@ fn wire(out: &mut impl Write, report: &WireReport) -> std::io::Result<()> {
         )?;
     }
     if let Some(sag) = report.sag {
+        let joint = sag.joint.map_or_else(String::new, |joint| {
+            format!(
+                "; {:.1} mm off where step {} comes back to vertex {}",
+                joint.off_mm,
+                joint.step + 1,
+                joint.vertex
+            )
+        });
         let words = format!(
-            "{:.1} mm at the free end in step {}, under its own weight",
+            "{:.1} mm at the free end in step {}, under its own weight{joint}",
             sag.deflection_mm,
             sag.step + 1
         );

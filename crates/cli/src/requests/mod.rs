@@ -63,8 +63,8 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
         Subcommands::Check { design: args, choices: chosen } => {
             written(Command::Check(CheckRequest { design: design(&args)?, choices: choices(chosen)? }))
         }
-        Subcommands::Plan { design: args, choices: chosen, output, danger, compare, pauses, sag } => {
-            plan(&args, chosen, output, &danger, compare, (pauses, sag))?
+        Subcommands::Plan { design: args, choices: chosen, output, danger, compare, pauses } => {
+            plan(&args, chosen, output, &danger, compare, pauses)?
         }
         Subcommands::Export { design: args, choices: chosen, format, settings, output, danger } => {
             let (output, contents) = place(output, true);
@@ -172,7 +172,7 @@ fn plan(
     output: OutputArgs,
     danger: &DangerArgs,
     compare: Vec<String>,
-    (pauses, sag): (Vec<StepPause>, bool),
+    pauses: Vec<StepPause>,
 ) -> anyhow::Result<Prepared> {
     let design = design(args)?;
     let written = |command| Ok(Prepared::Command(Box::new(command), Contents::Written));
@@ -188,7 +188,12 @@ fn plan(
         }));
     }
     if let Some(WireRange { from, to }) = chosen.wires.filter(|range| range.is_several()) {
-        if output.output.is_some() || output.force || danger.despite_errors || sag || !pauses.is_empty() {
+        if output.output.is_some()
+            || output.force
+            || danger.despite_errors
+            || chosen.sag
+            || !pauses.is_empty()
+        {
             let words = "numbers of wires are compared, and no job is made: give one number of wires";
             return Err(WrongUse(words.to_owned()).into());
         }
@@ -203,7 +208,6 @@ fn plan(
         output,
         despite_errors: danger.despite_errors,
         pauses,
-        sag,
     };
     Ok(Prepared::Command(Box::new(Command::Plan(request)), contents))
 }
@@ -296,6 +300,7 @@ fn choices(args: ChoiceArgs) -> Result<PlanChoices, WrongUse> {
         effort,
         search_seed,
         weights,
+        sag,
         clearance,
     } = args;
     if wires.is_some_and(WireRange::is_several) {
@@ -317,6 +322,7 @@ fn choices(args: ChoiceArgs) -> Result<PlanChoices, WrongUse> {
         search_effort: effort,
         search_seed,
         search_weights: weights,
+        sag,
         collision_margin_mm: clearance.clearance,
     })
 }

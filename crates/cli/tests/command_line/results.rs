@@ -21,6 +21,27 @@ fn a_plan_says_how_far_the_part_sags_where_it_is_asked() {
     assert!(plan(&["--sag", "--wires", "1..3"]).ended(2).err.contains("numbers of wires are compared"));
 }
 
+/// 3 m of the same wire would sag by 7 m: that is no longer beam theory, and no part that can be bent without a hand below it.
+#[test]
+fn a_part_that_sags_too_far_is_warned_of_and_its_job_says_that_it_hangs() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("long.obj"), "v 0 0 0\nv 1500 0 0\nv 1500 1500 0\nl 1 2 3\n").unwrap();
+    let on_kit = ["long.obj", "--machine", "wirebend-kit", "--sag", "--collisions"];
+    let plan = |more: &[&str]| run_in(folder.path(), &[&["plan"], &on_kit[..], more].concat(), b"");
+    let checked = run_in(folder.path(), &[&["check"], &on_kit[..], &["--json"]].concat(), b"").json();
+    let sags = |found: &serde_json::Value| {
+        let all = found["diagnostics"].as_array().unwrap();
+        all.iter().find(|one| one["code"] == "part_sags").cloned().expect("a warning of the sag")
+    };
+    assert_eq!(sags(&checked)["severity"], "warning");
+    let said = plan(&[]).err;
+    assert!(said.contains("more than a tenth of that") && said.contains("hold the part up"), "{said}");
+    plan(&["--clearance", "2", "--despite-errors", "-o", "long.wbjob"]);
+    let job: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(folder.path().join("long.wbjob")).unwrap()).unwrap();
+    assert_eq!((&job["wires"][0]["sag"], &job["wires"][0]["clearance_mm"]), (&true.into(), &2.0.into()));
+}
+
 #[test]
 fn every_result_fits_its_schema() {
     let folder = tempfile::tempdir().unwrap();

@@ -87,6 +87,8 @@ codes! {
     BendTorqueLow = "bend_torque_low",
     /// The wire is bent round a smaller radius than it takes.
     BendRadiusSmall = "bend_radius_small",
+    /// The part already bent sags so far that it no longer lies where the machine is to bend it.
+    PartSags = "part_sags",
     /// The wire already bent meets a body of the machine.
     MeetsMachine = "meets_machine",
     /// The wire already bent meets the wire that is still to be bent.

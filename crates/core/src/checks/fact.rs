@@ -10,6 +10,7 @@ use crate::bend::PathError;
 use crate::clearance::{Obstacle, Phase};
 use crate::compensate::NearCorner;
 use crate::route::RouteError;
+use crate::sag::Sag;
 use crate::search::Helps;
 use crate::sequence::Violation;
 use crate::units::{Angle, Length};
@@ -267,6 +268,8 @@ pub enum Fact {
     },
     /// The wire is bent round a smaller radius than it takes.
     BendRadiusSmall(BendRadius),
+    /// The part already bent sags by more than a tenth of its reach.
+    PartSags(Sag),
     /// The wire already bent meets a body of the machine.
     MeetsMachine {
         /// The edges of the straight part that meets it.
@@ -385,8 +388,7 @@ pub enum Fact {
     OutOfWorkspace,
     /// No order was found in which the struts can be built.
     SequenceNotFound {
-        /// How many groups stand where the search came farthest, none of which can have been the last; none where it did not get
-        /// stuck.
+        /// How many groups stand where the search got stuck, none of which can have been the last; none where it did not.
         step: Option<usize>,
         /// How many there are.
         of: usize,

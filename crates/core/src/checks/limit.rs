@@ -98,6 +98,8 @@ pub enum LimitSource<'a> {
     Reach(&'a ReachLimit),
     /// Half of what the bend axis resolves.
     AxisResolution,
+    /// A deflection for which beam theory holds.
+    SmallDeflection,
     /// Half of the load at which Euler's column with pinned ends buckles.
     EulerLoad,
     /// How far a joint may be from where it is drawn, so that the head still meets it.

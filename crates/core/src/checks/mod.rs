@@ -37,6 +37,7 @@ use crate::bend::NominalProgram;
 use crate::clearance::{Body, FirstContact};
 use crate::compensate::{CompensatedProgram, Compensation, StepError};
 use crate::route::{Doubling, ForcedBend, Route};
+use crate::sag::Sag;
 use crate::schedule::{RotationOutOfRange, ScheduledProgram};
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, NEAR_LIMIT, VertexId, Wireframe};
@@ -143,6 +144,8 @@ pub struct WireStages<'a> {
     pub unbendable: &'a [StepError],
     /// Whether a walk, signs and windings that meet nothing were searched for.
     pub searched: bool,
+    /// How far the part already bent sags at most; none where nobody asked.
+    pub sag: Option<Sag>,
     /// Where it meets the machine or itself, as far as somebody looked.
     pub contacts: &'a [FirstContact],
     /// How far it has to stay from what it could meet: depths are counted from there.
@@ -205,6 +208,7 @@ pub fn check_wire(wire: &WireStages) -> Vec<Diagnostic> {
         wire_diameter::check,
         strength::torque,
         strength::radius,
+        strength::sag,
         contact::check,
     ];
     let mut found = Vec::new();

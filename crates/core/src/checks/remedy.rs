@@ -15,6 +15,8 @@ pub enum Remedy {
     LeaveTouching,
     /// Leave room for the wires that run side by side along an edge.
     LeaveRoom,
+    /// Hold the part up while it is bent.
+    HoldUp,
     /// Tie the wires that run side by side along an edge.
     TieWires,
     /// Weld or tie the wires where they touch.

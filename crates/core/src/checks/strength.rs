@@ -1,6 +1,7 @@
 //! Whether the bend axis is strong enough for the wire, and the wire for the radius that it is bent to.
 
 use super::{Diagnostic, Fact, Location, Remedy, Severity, WireStages};
+use crate::sag::Sag;
 
 /// So many times the moment that bends the wire a bend axis should have, for friction and for wire that is stronger than its figures.
 pub const TORQUE_MARGIN: f64 = 1.5;
@@ -21,6 +22,16 @@ pub(super) fn radius(wire: &WireStages, found: &mut Vec<Diagnostic>) {
     if bend.inner.mm() < bend.least().mm() * (1.0 - SAME) {
         found.push(warning(Fact::BendRadiusSmall(bend.clone())));
     }
+}
+
+pub(super) fn sag(wire: &WireStages, found: &mut Vec<Diagnostic>) {
+    let Some(sag) = wire.sag.filter(Sag::is_indicated) else { return };
+    found.push(Diagnostic {
+        severity: Severity::Warning,
+        location: wire.location_of_step(sag.step),
+        fact: Fact::PartSags(sag),
+        remedies: vec![Remedy::HoldUp, Remedy::ChooseMaterial],
+    });
 }
 
 /// Of the whole wire on this machine.

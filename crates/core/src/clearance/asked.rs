@@ -1,9 +1,13 @@
 //! Questions about a step, body by body.
 
-use wirebend_collide::{Interval, Meeting, Task, first_contact};
+use std::ops::ControlFlow;
+
+use wirebend_collide::{Chain, Interval, Meeting, Task, first_contact};
 
 use super::body::{Body, MovesWith};
+use super::centreline::Centreline;
 use super::contact::{Contact, Obstacle};
+use super::hang::{Hanging, Slice};
 use super::seen::{Rooms, Seen};
 use super::stroke::{Moves, Phase, State, Stroke, strokes};
 use super::wire::Clearance;
@@ -45,11 +49,13 @@ pub(super) struct Asked<'a> {
     strokes: &'a Strokes,
     /// What counts of the wire, for each question that has come up.
     counting: Vec<(Phase, Touch, Vec<Interval>)>,
+    /// The shapes of a wire that hangs, by what it depends on how it does.
+    shapes: Vec<([f64; 5], Vec<Slice>)>,
 }
 
 impl<'a> Asked<'a> {
     pub const fn new(clearance: &'a Clearance<'a>, step: usize, strokes: &'a Strokes) -> Self {
-        Self { clearance, step, strokes, counting: Vec::new() }
+        Self { clearance, step, strokes, counting: Vec::new(), shapes: Vec::new() }
     }
 
     /// The first contact with a body.
@@ -58,43 +64,101 @@ impl<'a> Asked<'a> {
         strokes.past(one.1.moves_with).find_map(|strokes| self.ask(one, strokes, EXACT, first_contact))
     }
 
-    /// What comes of a question about a body and strokes of one phase: in which of them, and when.
+    /// What comes first of a question about a body and strokes of one phase: in which of them, and when.
     pub fn ask(
+        &mut self,
+        one: (Obstacle, &Body),
+        strokes: &[Stroke],
+        tolerance: f64,
+        ask: impl Fn(&Task) -> Option<Meeting>,
+    ) -> Option<(Stroke, Meeting)> {
+        let mut first = None;
+        self.answers(one, strokes, tolerance, ask, &mut |answer| {
+            first = Some(answer);
+            ControlFlow::Break(())
+        });
+        first
+    }
+
+    /// All that comes of it, until `take` has enough: one answer at most where the wire keeps its shape, one of each of its shapes where
+    /// it hangs.
+    pub fn answers(
         &mut self,
         (obstacle, body): (Obstacle, &Body),
         strokes: &[Stroke],
         tolerance: f64,
         ask: impl Fn(&Task) -> Option<Meeting>,
-    ) -> Option<(Stroke, Meeting)> {
+        take: &mut dyn FnMut((Stroke, Meeting)) -> ControlFlow<()>,
+    ) {
         let clearance = self.clearance;
-        let phase = strokes.first()?.phase;
-        let leg = &clearance.centreline.legs[self.step];
+        let Some(phase) = strokes.first().map(|stroke| stroke.phase) else { return };
+        let parts = self.counting(phase, obstacle, body);
+        let rooms = match obstacle {
+            Obstacle::Body(index) => clearance.rooms[index],
+            Obstacle::Stock => Rooms::new(body, clearance.bodies),
+        };
+        let asks = |this: &Self, strokes: &[Stroke], chain: &Chain, spread: f64| {
+            let seen = Seen::new(strokes, body, &rooms, clearance.bodies)?;
+            let meeting = ask(&Task {
+                chain,
+                parts: &this.counting[parts].2,
+                solid: &body.solid,
+                motion: &seen,
+                reach: clearance.wire.reach() + spread,
+                tolerance,
+            })?;
+            let (stroke, time) = seen.stroke_at(meeting.time);
+            Some((*stroke, Meeting { time, ..meeting }))
+        };
+        let chain = &clearance.centreline.chain;
+        let Some(hanging) = &clearance.hanging else {
+            if let Some(answer) = asks(self, strokes, chain, 0.0) {
+                let _ = take(answer);
+            }
+            return;
+        };
+        for stroke in strokes {
+            let shapes = self.shapes(hanging, stroke);
+            for slice in &self.shapes[shapes].1 {
+                let Some((_, meeting)) = asks(self, &[slice.of(stroke)], &slice.chain, slice.spread) else {
+                    continue;
+                };
+                if take((*stroke, Meeting { time: slice.time(meeting.time), ..meeting })).is_break() {
+                    return;
+                }
+            }
+        }
+    }
+
+    /// The place of what counts of the wire.
+    fn counting(&mut self, phase: Phase, obstacle: Obstacle, body: &Body) -> usize {
+        let leg = &self.clearance.centreline.legs[self.step];
         let out = if phase == Phase::Feed { leg.straight.from } else { leg.straight.to };
         let touch = match obstacle {
             Obstacle::Stock => Touch::Stock,
             Obstacle::Body(_) => Touch::Body { wire: body.contact_zone.mm(), vertex: body.vertex_zone.mm() },
         };
         let known = self.counting.iter().position(|(of, how, _)| (*of, *how) == (phase, touch));
-        let known = known.unwrap_or_else(|| {
-            let parts = clearance.passed.counting(self.step, phase, touch, out);
+        known.unwrap_or_else(|| {
+            let parts = self.clearance.passed.counting(self.step, phase, touch, out);
             self.counting.push((phase, touch, parts));
             self.counting.len() - 1
-        });
-        let rooms = match obstacle {
-            Obstacle::Body(index) => clearance.rooms[index],
-            Obstacle::Stock => Rooms::new(body, clearance.bodies),
-        };
-        let seen = Seen::new(strokes, body, &rooms, clearance.bodies)?;
-        let meeting = ask(&Task {
-            chain: &clearance.centreline.chain,
-            parts: &self.counting[known].2,
-            solid: &body.solid,
-            motion: &seen,
-            reach: clearance.wire.reach(),
-            tolerance,
-        })?;
-        let (stroke, time) = seen.stroke_at(meeting.time);
-        Some((*stroke, Meeting { time, ..meeting }))
+        })
+    }
+
+    /// The place of the shapes of a stroke.
+    fn shapes(&mut self, hanging: &Hanging, stroke: &Stroke) -> usize {
+        let Stroke { phase, from, to, .. } = stroke;
+        let of = [from.fed, from.bent, to.fed, to.bent, if *phase == Phase::Feed { 0.0 } else { 1.0 }];
+        let known = self
+            .shapes
+            .iter()
+            .position(|(known, _)| known.iter().zip(&of).all(|(one, other)| one.total_cmp(other).is_eq()));
+        known.unwrap_or_else(|| {
+            let Centreline { chain, legs } = &self.clearance.centreline;
+            self.shapes.push((of, hanging.slices(chain, &legs[self.step], stroke)));
+            self.shapes.len() - 1
+        })
     }
 
     /// A contact as a whole, from where it was found.

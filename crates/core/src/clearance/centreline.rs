@@ -38,8 +38,9 @@ impl Leg {
 }
 
 impl Centreline {
-    /// The wire of steps from corner to corner. `radius`: of the bends; `tolerance`: how far a chord may be from its arc, mm.
-    pub fn new(start: Frame, steps: &[Step], radius: Length, tolerance: f64) -> Self {
+    /// The wire of steps from corner to corner. `radius`: of the bends; `tolerance`: how far a chord may be from its arc, mm; `longest`:
+    /// how long a piece of a straight part may be, mm.
+    pub fn new(start: Frame, steps: &[Step], radius: Length, tolerance: f64, longest: f64) -> Self {
         let tangents = tangents(steps, radius.mm());
         let mut frame = start;
         let mut points = vec![start.position];
@@ -49,7 +50,7 @@ impl Centreline {
             let (t, corner) = (frame.t(), frame.position + frame.t() * step.feed.mm());
             let begin = points.len() - 1;
             if step.feed.mm() > before + tangent {
-                points.push(corner - t * tangent);
+                add_straight(&mut points, corner - t * tangent, longest);
             }
             let straight_end = points.len() - 1;
             frame.position = corner;
@@ -93,6 +94,13 @@ fn tangents(steps: &[Step], radius: f64) -> Vec<f64> {
     let share: Vec<f64> = (0..steps.len()).map(room).collect();
     let least = |k: usize| share[k].min(share.get(k + 1).copied().unwrap_or(1.0));
     wanted.iter().enumerate().map(|(k, tangent)| tangent * least(k)).collect()
+}
+
+/// Adds the points of a straight part.
+fn add_straight(points: &mut Vec<Point3<f64>>, to: Point3<f64>, longest: f64) {
+    let from = points.last().copied().unwrap_or(to);
+    let pieces = ((to - from).norm() / longest).ceil().max(1.0);
+    points.extend((1..=whole(pieces)).map(|k| from + (to - from) * (f64::from(k) / pieces)));
 }
 
 /// Adds the points of the arc at the corner where `frame` is, turned for the bend.

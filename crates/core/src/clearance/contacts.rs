@@ -1,6 +1,6 @@
 //! The contacts of a program.
 
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 
 use wirebend_collide::{Task, closest};
 
@@ -108,8 +108,10 @@ impl Clearance<'_> {
         let deepest = |task: &Task| closest(task, DEPTH_SHARE);
         let mut least = self.wire.reach();
         for strokes in strokes.past(body.moves_with) {
-            let near = asked.ask((contact.obstacle, body), strokes, DEPTH_EXACT, deepest);
-            least = near.map_or(least, |(_, near)| least.min(near.distance));
+            asked.answers((contact.obstacle, body), strokes, DEPTH_EXACT, deepest, &mut |(_, near)| {
+                least = least.min(near.distance);
+                ControlFlow::Continue(())
+            });
         }
         Length::computed(self.wire.reach() - least)
     }

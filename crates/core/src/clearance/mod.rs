@@ -8,12 +8,17 @@
 //! The wire at a bend touches pin, nozzle and peg by its nature: [`Body::contact_zone`] says how much of it may. Other struts
 //! that meet the one that is fed at a vertex come near them, too, where a frame closes and the wire goes beside:
 //! [`Body::vertex_zone`]. A strut that runs along the same edge as the one that is fed lies beside it, and beside such bodies.
+//!
+//! A wire that hangs ([`StockWire::hangs`]) is looked at in the shapes that its weight gives it, one for each part of a motion in which it
+//! hardly changes.
 
 mod asked;
 mod body;
 mod centreline;
 mod contact;
 mod contacts;
+mod hang;
+mod joint;
 mod moment;
 mod run;
 mod seen;
@@ -25,6 +30,7 @@ pub use wirebend_collide::Solid;
 
 pub use body::{Bodies, Body, MovesWith};
 pub use contact::{Contact, FirstContact, Obstacle};
+pub use joint::{JointSag, max_joint_sag};
 pub use run::StepPart;
 pub use stroke::{Phase, StepRun};
 pub use wire::{Clearance, StockWire};

@@ -6,16 +6,20 @@ use wirebend_collide::{Interval, Solid};
 use super::body::{Bodies, Body, MovesWith};
 use super::centreline::{Centreline, Lie};
 use super::contact::Obstacle;
+use super::hang::Hanging;
 use super::seen::Rooms;
 use super::stroke::{Moves, StepRun};
 use super::zone::{Passage, Passed};
 use crate::bend::{Frame, Step};
 use crate::compensate::BendModel;
+use crate::estimate::WireModel;
 use crate::motion::poses;
 use crate::units::{Angle, Length};
 
 /// How far a chord may be from the arc that it stands for, mm.
 const CHORD: f64 = 0.005;
+/// What hangs is straight for so long at most, mm.
+const HANGING_PIECE: f64 = 25.0;
 
 /// The wire that runs through the machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,6 +32,8 @@ pub struct StockWire {
     pub tail: Length,
     /// How far from each other things have to stay besides.
     pub margin: Length,
+    /// What it is, where it hangs as its own weight makes it; none where it keeps the shape to which it is bent.
+    pub hangs: Option<WireModel>,
 }
 
 impl StockWire {
@@ -44,6 +50,7 @@ pub struct Clearance<'a> {
     pub(super) bend: &'a BendModel,
     pub(super) wire: StockWire,
     pub(super) centreline: Centreline,
+    pub(super) hanging: Option<Hanging>,
     pub(super) passed: Passed,
     steps: Vec<Step>,
     told: Vec<Angle>,
@@ -70,7 +77,8 @@ impl<'a> Clearance<'a> {
         bodies: &'a Bodies,
         bend: &'a BendModel,
     ) -> Self {
-        let centreline = Centreline::new(start, steps, wire.bend_radius, CHORD);
+        let longest = if wire.hangs.is_some() { HANGING_PIECE } else { f64::INFINITY };
+        let centreline = Centreline::new(start, steps, wire.bend_radius, CHORD, longest);
         let lies = poses(start, steps)
             .iter()
             .zip(&centreline.legs)
@@ -105,6 +113,7 @@ impl<'a> Clearance<'a> {
             bodies,
             bend,
             wire,
+            hanging: wire.hangs.and_then(|wire| Hanging::new(&centreline, &wire)),
             centreline,
             passed,
             approaches: vec![None; steps.len()],

@@ -14,6 +14,7 @@ mod pose;
 
 pub use moment::{MachineStep, Moment, moments};
 
+pub(crate) use pose::bend_axis;
 pub use pose::{Pose, poses, poses_of_points};
 
 #[cfg(test)]

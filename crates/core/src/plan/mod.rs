@@ -13,17 +13,16 @@ use nalgebra::Point3;
 
 use crate::bend::{Frame, NominalProgram};
 use crate::checks::{Diagnostic, MachineLimits, Sourced};
-use crate::clearance::{Bodies, FirstContact};
+use crate::clearance::{Bodies, FirstContact, JointSag};
 use crate::compensate::{CompensatedProgram, Compensation};
 use crate::estimate::{TimeModel, WireModel};
 use crate::route::{Doubling, Route};
-use crate::sag::{Sag, max_sag};
+use crate::sag::Sag;
 use crate::schedule::{HeadLimits, ScheduledProgram};
 use crate::search::{Objective, Obstruction, SearchOptions};
-use crate::simulate::scheduled_start;
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
-pub use contacts::{ScheduledWire, clearance, keep_contacts};
+pub use contacts::{ContactOptions, ScheduledWire, clearance, keep_contacts};
 use routing::Routed;
 use searching::Searching;
 pub use seen::check_given;
@@ -88,6 +87,8 @@ pub struct PlanOptions {
     /// Whether to look where the wire meets the machine or itself, which takes the longest; and how far they have to stay
     /// from each other.
     pub contacts: Option<Length>,
+    /// Whether to work out how far the part already bent sags under its own weight, and to look for contacts as it hangs.
+    pub sag: bool,
     /// How to search for wires that meet nothing while they are bent; none where the first ones will do. Where a walk is settled,
     /// signs and windings alone are searched.
     pub search: Option<SearchOptions>,
@@ -108,6 +109,7 @@ impl Default for PlanOptions {
             start: None,
             reversed: false,
             contacts: None,
+            sag: false,
             search: None,
             settled: Vec::new(),
             clear_sides: false,
@@ -198,6 +200,10 @@ pub struct WirePlan {
     pub compensated: Option<CompensatedProgram>,
     /// What came of the search for wires that meet nothing; none where there was none.
     pub searched: Option<Searched>,
+    /// How far the part already bent sags under its own weight; none where nobody asked.
+    pub sag: Option<PartSag>,
+    /// How contacts are looked for.
+    pub contact_options: ContactOptions,
     /// Where it meets the machine or itself while it is bent; none where nobody looked.
     pub contacts: Option<Vec<FirstContact>>,
     /// What the checks say, doublings and refusals included.
@@ -206,6 +212,15 @@ pub struct WirePlan {
     pub seconds: Option<f64>,
     /// Stock to load.
     pub stock: Option<Length>,
+}
+
+/// How far the part already bent sags under its own weight while the machine bends it; see [`crate::sag`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PartSag {
+    /// The largest sag of its free end.
+    pub largest: Sag,
+    /// Where it is off the most when the wire comes back to a vertex; none where it never does.
+    pub joint: Option<JointSag>,
 }
 
 impl WirePlan {
@@ -222,6 +237,8 @@ impl WirePlan {
             scheduled: None,
             compensated: None,
             searched: None,
+            sag: None,
+            contact_options: ContactOptions::default(),
             contacts: None,
             diagnostics: Vec::new(),
             seconds: None,
@@ -233,13 +250,6 @@ impl WirePlan {
     #[must_use]
     pub fn doubled_length(&self, wireframe: &Wireframe) -> Length {
         self.doubled.iter().map(|&edge| wireframe.edge_length(edge)).sum()
-    }
-
-    /// How far the part already bent sags at most while the machine bends it, once it has been scheduled; see [`crate::sag`].
-    #[must_use]
-    pub fn max_sag(&self, wire: &WireModel) -> Option<Sag> {
-        let steps = &self.scheduled.as_ref()?.steps;
-        max_sag(scheduled_start(self.start, steps), steps, wire)
     }
 
     /// Whether the machine can make it: it has been compensated and no check objects.
@@ -280,7 +290,8 @@ pub fn plan_wires(
     let stages = Stages {
         wireframe,
         machine,
-        contacts: options.contacts.or(options.search.as_ref().map(|_| Length::ZERO)),
+        contacts: options.contacts.is_some() || options.search.is_some(),
+        contact_options: ContactOptions::of(options),
         searched: options.search.is_some(),
         odd_allowed: routing::allowed(options),
         forced: &forced,

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::contacts::ContactOptions;
 use super::stages::{Stages, bend_seconds};
 use super::{
     DoublingChoice, Machine, PlanObserver, PlanOptions, Searched, WirePlan, along, contacts, routing,
@@ -13,7 +14,7 @@ use crate::schedule::ScheduledProgram;
 use crate::search::{
     Bender, FoundWire, Helps, Obstruction, SearchOptions, SearchOutcome, SearchTask, bend_route, search,
 };
-use crate::units::{Angle, Length};
+use crate::units::Angle;
 use crate::wireframe::{Component, EdgeId, Wireframe};
 
 /// A search for the wires of a component.
@@ -73,7 +74,7 @@ impl Searching<'_> {
         let Self { wireframe, component, machine, options } = *self;
         let seconds = |bend| bend_seconds(machine, bend);
         // As in edges that are too short.
-        let anyway = routes.iter().flat_map(|route| errors(&self.planned(route, None, None))).collect();
+        let anyway = routes.iter().flat_map(|route| errors(&self.planned(route, None, false))).collect();
         let accepts = |route: &Route, scheduled: &ScheduledProgram| self.accepts(route, scheduled, &anyway);
         let bender = self.bender(&seconds, &accepts);
         // Detours are around bends that no other doubling avoids.
@@ -106,7 +107,7 @@ impl Searching<'_> {
             head: &machine.head,
             bend: &machine.compensation.bend,
             bodies: &machine.bodies,
-            wire: contacts::stock_wire(machine, self.margin()),
+            wire: contacts::stock_wire(machine, &ContactOptions::of(self.options)),
             straight: machine.straight,
             max_bend: routing::largest_bend(machine),
             seconds,
@@ -116,27 +117,18 @@ impl Searching<'_> {
 
     /// Whether a wire meets nothing and has no errors but those that the routes have anyway.
     fn accepts(&self, route: &Route, scheduled: &ScheduledProgram, anyway: &BTreeSet<Code>) -> bool {
-        let plan = self.planned(route, Some(scheduled), Some(self.margin()));
+        let plan = self.planned(route, Some(scheduled), true);
         let is_clear = plan.contacts.as_ref().is_some_and(Vec::is_empty) && plan.compensated.is_some();
         is_clear && errors(&plan).is_subset(anyway)
     }
 
-    /// How far the wire has to stay from what it could hit.
-    fn margin(&self) -> Length {
-        self.options.contacts.unwrap_or_default()
-    }
-
     /// A wire through all stages.
-    fn planned(
-        &self,
-        route: &Route,
-        scheduled: Option<&ScheduledProgram>,
-        contacts: Option<Length>,
-    ) -> WirePlan {
+    fn planned(&self, route: &Route, scheduled: Option<&ScheduledProgram>, contacts: bool) -> WirePlan {
         let stages = Stages {
             wireframe: self.wireframe,
             machine: self.machine,
             contacts,
+            contact_options: ContactOptions::of(self.options),
             searched: true,
             odd_allowed: 2,
             forced: &[],

@@ -2,7 +2,6 @@
 
 use super::{Machine, WirePlan};
 use crate::checks::{Diagnostic, WireStages, check_wire};
-use crate::units::Length;
 use crate::wireframe::Wireframe;
 
 /// What checks see of a plan, which does not say why a stage was left out.
@@ -26,7 +25,8 @@ pub(super) fn stages_of<'a>(
         compensated: plan.compensated.as_ref(),
         unbendable: &[],
         searched: plan.searched.is_some(),
-        margin: Length::ZERO,
+        margin: plan.contact_options.margin,
+        sag: plan.sag.map(|sag| sag.largest),
         contacts: plan.contacts.as_deref().unwrap_or_default(),
         bodies: &machine.bodies.all,
         compensation: &machine.compensation,

@@ -1,6 +1,6 @@
 //! The stages after the route.
 
-use super::contacts;
+use super::contacts::{self, ContactOptions};
 use super::seen::stages_of;
 use super::{Machine, Stage, WirePlan};
 use crate::bend::{NominalProgram, PathError, program_of_path};
@@ -9,15 +9,16 @@ use crate::compensate::{StepError, compensate};
 use crate::estimate::stock;
 use crate::route::ForcedBend;
 use crate::schedule::{RotationOutOfRange, ScheduledProgram, schedule};
-use crate::units::{Angle, Length};
+use crate::units::Angle;
 use crate::wireframe::{EdgeId, Wireframe};
 
 /// What the stages of all wires of a component have in common.
 pub(super) struct Stages<'a> {
     pub wireframe: &'a Wireframe,
     pub machine: &'a Machine,
-    /// Whether to look for contacts, and how far things have to stay from each other.
-    pub contacts: Option<Length>,
+    /// Whether to look for contacts.
+    pub contacts: bool,
+    pub contact_options: ContactOptions,
     /// Whether wires that meet nothing were searched for.
     pub searched: bool,
     pub odd_allowed: usize,
@@ -38,8 +39,12 @@ impl Stages<'_> {
         let Self { wireframe, machine, .. } = *self;
         let mut failures = Failures::default();
         run_stages(wireframe, machine, plan, &mut failures, done);
-        if let Some(margin) = self.contacts {
-            plan.contacts = contacts::find(wireframe, machine, plan, margin);
+        plan.contact_options = self.contact_options;
+        if self.contact_options.sag {
+            plan.sag = contacts::sag(wireframe, machine, plan);
+        }
+        if self.contacts {
+            plan.contacts = contacts::find(wireframe, machine, plan);
             done(Stage::Contacts);
         }
         plan.diagnostics = check_wire(&WireStages {
@@ -50,7 +55,6 @@ impl Stages<'_> {
             rotation: failures.rotation.as_ref(),
             unbendable: &failures.unbendable,
             searched: self.searched,
-            margin: self.contacts.unwrap_or_default(),
             ..stages_of(wireframe, machine, plan)
         });
         plan.diagnostics.extend(already);

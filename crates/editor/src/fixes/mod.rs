@@ -314,6 +314,7 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
         | Code::WireDoesNotFit
         | Code::BendTorqueLow
         | Code::BendRadiusSmall
+        | Code::PartSags
         | Code::CornerWithinReach
         | Code::HeadNotMeasured
         | Code::FrameUnsupported

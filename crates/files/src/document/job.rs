@@ -64,6 +64,13 @@ pub struct JobWire {
     /// Whether it was found by a search for a wire that hits nothing, and relies on the signs and head turns that were chosen.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub avoids_collisions: bool,
+    /// How far it has to stay from what it could hit, besides, mm: what a search for collisions was told, and is told again before it is
+    /// bent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub clearance_mm: Option<f64>,
+    /// Whether collisions are looked for with the part as it hangs under its own weight.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub sag: bool,
     /// Steps after which the machine waits for a person, in order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pauses: Vec<JobPause>,

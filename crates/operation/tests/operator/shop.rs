@@ -115,15 +115,8 @@ impl Shop {
         let design = DesignInput::file(root().join("examples").join(example));
         let choices =
             PlanChoices { machine: Some(machine.to_owned()), double: true, ..PlanChoices::default() };
-        let request = PlanRequest {
-            design,
-            choices,
-            output: None,
-            make_job: true,
-            pauses,
-            sag: false,
-            despite_errors: false,
-        };
+        let request =
+            PlanRequest { design, choices, output: None, make_job: true, pauses, despite_errors: false };
         let planned = wirebend_planning::plan::plan(&self.app, &request, &NoProgress).unwrap();
         Input::Bytes { name: "a.wbjob".to_owned(), bytes: planned.contents }
     }

@@ -112,6 +112,8 @@ fn of_program(name: &str, bytes: &[u8], opened: &Opened, setup: &Setup) -> Resul
         time_s: setup.model.time.seconds(&commanded),
         compensated: commanded.told().map(JobStep::from).collect(),
         avoids_collisions: false,
+        clearance_mm: None,
+        sag: false,
         pauses: Vec::new(),
     };
     let snapshot = |id: &str, value| ProfileSnapshot { id: id.to_owned(), snapshot: value };

@@ -15,6 +15,7 @@ use wirebend_files::document::{Job, JobPause, JobWire};
 
 use crate::PlanningError;
 use crate::contacts::{PATIENCE, first_contacts, not_searched};
+use crate::job::contact_options;
 use crate::machine::{Setup, kept_steps, told_steps};
 use crate::pauses;
 use crate::playback::{PlayedWire, played};
@@ -60,14 +61,14 @@ impl GivenWires {
         let of = self.wires.iter().map(|(_, plan)| steps(plan)).sum();
         let mut done = 0;
         for (wireframe, plan) in &mut self.wires {
-            let Some(clearance) = clearance(wireframe, &setup.model, plan, Length::ZERO) else { continue };
+            let Some(clearance) = clearance(wireframe, &setup.model, plan) else { continue };
             let mut reached = done;
             let searched = first_contacts(&clearance, |step| {
                 reached = done + step;
                 Instant::now() < until
             });
             let contacts = Some(searched.contacts);
-            let findings = keep_contacts(wireframe, &setup.model, plan, contacts, Length::ZERO);
+            let findings = keep_contacts(wireframe, &setup.model, plan, contacts);
             plan.diagnostics.extend(findings);
             plan.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);
             if !searched.whole {
@@ -149,6 +150,8 @@ fn given(name: &str, wire: &JobWire, setup: &Setup) -> Result<(Wireframe, WirePl
             &setup.model.compensation,
         )),
         searched: None,
+        sag: None,
+        contact_options: contact_options(wire)?,
         contacts: None,
         diagnostics: Vec::new(),
         seconds: Some(wire.time_s),

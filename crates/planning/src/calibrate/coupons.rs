@@ -306,6 +306,8 @@ fn job_wire(
         stock_mm: stock(&wire.commanded, setup.model.limits.tail.value).mm(),
         time_s: setup.model.time.seconds(&wire.commanded),
         avoids_collisions: false,
+        clearance_mm: None,
+        sag: false,
         pauses: Vec::new(),
     })
 }

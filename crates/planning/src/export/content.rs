@@ -182,6 +182,7 @@ impl Content {
             search_effort,
             search_seed,
             search_weights,
+            sag,
             collision_margin_mm,
         } = &request.choices;
         let clearance = *collision_margin_mm != 0.0;
@@ -200,6 +201,7 @@ impl Content {
             (InputName::Collisions, *collisions),
             (InputName::AvoidCollisions, searches),
             (InputName::Clearance, clearance),
+            (InputName::Sag, *sag),
         ];
         let given = given.into_iter().filter_map(|(input, given)| given.then_some(input));
         let inputs: Vec<InputName> = given.chain(request.design.read_otherwise()).collect();

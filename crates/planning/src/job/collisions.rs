@@ -7,13 +7,13 @@ use nalgebra::Point3;
 use wirebend_core::bend::program_of_path;
 use wirebend_core::checks::Diagnostic;
 use wirebend_core::clearance::Passage;
-use wirebend_core::plan::ScheduledWire;
+use wirebend_core::plan::{ContactOptions, ScheduledWire};
 use wirebend_core::simulate::scheduled_start;
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{EdgeId, VertexId};
 use wirebend_files::document::JobWire;
 
-use crate::contacts::{PATIENCE, first_contacts, not_searched_text};
+use crate::contacts::{PATIENCE, collision_margin, first_contacts, not_searched_text};
 use crate::machine::{Setup, kept_steps, told_steps};
 use crate::text;
 
@@ -30,6 +30,8 @@ pub enum JobCollisions {
         bodies: usize,
         /// How many of them have dimensions that were not measured.
         estimates: usize,
+        /// How it was looked at.
+        options: ContactOptions,
     },
     /// It takes longer than a person waits.
     Unfinished {
@@ -57,19 +59,19 @@ impl JobCollisions {
             Err(why) => return Self::Unknown { why },
         };
         let until = Instant::now() + patience;
-        let clearance = wire.clearance(&setup.model, Length::ZERO);
+        let clearance = wire.clearance(&setup.model);
         let mut reached = 0;
         let searched = first_contacts(&clearance, |done| {
             reached = done;
             Instant::now() < until
         });
-        let findings = wire.check(&setup.model, searched.contacts, Length::ZERO);
+        let findings = wire.check(&setup.model, searched.contacts);
         if !searched.whole {
             return Self::Unfinished { steps: [reached, clearance.steps()], findings };
         }
         let bodies = &setup.model.bodies.all;
         let estimates = bodies.iter().filter(|body| !body.measured).count();
-        Self::Checked { findings, bodies: bodies.len(), estimates }
+        Self::Checked { findings, bodies: bodies.len(), estimates, options: wire.options }
     }
 
     /// Whether it is known that there are some.
@@ -102,8 +104,8 @@ impl JobCollisions {
                 named(findings).into_iter().chain([not_searched_text(*done, *of)]).collect()
             }
             Self::Unknown { why } => vec![format!("collisions are not checked: {why}")],
-            Self::Checked { findings, bodies, estimates } if findings.is_empty() => {
-                vec![none_found(*bodies, *estimates)]
+            Self::Checked { findings, bodies, estimates, options } if findings.is_empty() => {
+                vec![none_found(*bodies, *estimates) + &looked_for(options)]
             }
             Self::Checked { findings, .. } => named(findings),
         }
@@ -121,6 +123,14 @@ fn named(findings: &[Diagnostic]) -> Vec<String> {
         more => lines.push(format!("and {more} more collisions")),
     }
     lines
+}
+
+/// How it was looked for, where that is not as usual.
+fn looked_for(options: &ContactOptions) -> String {
+    let near = (options.margin > Length::ZERO).then(|| format!("nothing nearer than {}", options.margin));
+    let hangs = options.sag.then(|| "the part as it sags under its own weight".to_owned());
+    let all: Vec<String> = near.into_iter().chain(hangs).collect();
+    if all.is_empty() { String::new() } else { format!("; {}", all.join(", ")) }
 }
 
 fn none_found(bodies: usize, estimates: usize) -> String {
@@ -155,7 +165,19 @@ pub(crate) fn scheduled(wire: &JobWire, setup: &Setup) -> Result<ScheduledWire, 
         Some((Passage { edge, from: VertexId(from), to: VertexId(to) }, length))
     };
     let passages = wire.spans.iter().map(|&[from, to]| (from..to).filter_map(&mut passage).collect());
-    Ok(ScheduledWire { start: scheduled_start(start, &steps), passages: passages.collect(), steps, told })
+    let options = contact_options(wire).map_err(damaged)?;
+    Ok(ScheduledWire {
+        start: scheduled_start(start, &steps),
+        passages: passages.collect(),
+        steps,
+        told,
+        options,
+    })
+}
+
+/// How contacts of a wire were looked for when it was planned.
+pub(crate) fn contact_options(wire: &JobWire) -> Result<ContactOptions, crate::PlanningError> {
+    Ok(ContactOptions { margin: collision_margin(wire.clearance_mm.unwrap_or_default())?, sag: wire.sag })
 }
 
 #[cfg(test)]
@@ -178,7 +200,7 @@ mod tests {
             let setup = restored(name, job.contents()).unwrap();
             let found = JobCollisions::of(&job.contents().wires[0], &setup);
             let of_design = planned.find_collisions(&mut |_, _| true);
-            let JobCollisions::Checked { findings, bodies, estimates } = &found else { panic!("{name}") };
+            let JobCollisions::Checked { findings, bodies, estimates, .. } = &found else { panic!("{name}") };
             assert_eq!((*bodies, *estimates), (of_design.bodies, of_design.estimates));
             let steps = |all: &[Diagnostic]| all.iter().map(|one| one.location.step).collect::<Vec<_>>();
             let wanted: Vec<_> = of_design.contacts.iter().map(|contact| Some(contact.step)).collect();
@@ -200,7 +222,7 @@ mod tests {
         };
         let lines = |count: usize, bodies, estimates| {
             let findings = findings.iter().cycle().take(count).cloned().collect();
-            JobCollisions::Checked { findings, bodies, estimates }.lines()
+            JobCollisions::Checked { findings, bodies, estimates, options: ContactOptions::default() }.lines()
         };
         assert_eq!(
             lines(0, 6, 5),

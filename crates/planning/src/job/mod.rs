@@ -12,6 +12,7 @@ use wirebend_files::read::decode;
 use crate::error::PlanningError;
 
 pub use collisions::JobCollisions;
+pub(crate) use collisions::contact_options;
 pub(crate) use collisions::scheduled;
 pub use driver::{Stages, job};
 pub use work::{SimulatedAs, opened, work};

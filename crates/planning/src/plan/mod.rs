@@ -23,7 +23,7 @@ use crate::design::{DesignInput, Opened};
 use crate::machine::Setup;
 use crate::output::Output;
 use crate::pauses::{PlannedPauses, StepPause};
-use crate::report::{DiagnosticReport, NoteReport, PlanReport, SagReport, WireReport};
+use crate::report::{DiagnosticReport, NoteReport, PlanReport, WireReport};
 use crate::stage::StageName;
 use crate::{Installation, PlanningError, Progress, text};
 pub use choice::wires_of_parts;
@@ -50,9 +50,6 @@ pub struct PlanRequest {
     /// Steps after which the machine waits for a person, besides the pause points of the design.
     #[serde(default)]
     pub pauses: Vec<StepPause>,
-    /// Whether to work out how far the part already bent sags under its own weight.
-    #[serde(default)]
-    pub sag: bool,
     /// Whether to write a job although a check says that it cannot be made.
     #[serde(default)]
     pub despite_errors: bool,
@@ -191,6 +188,7 @@ impl Installation {
                 // Walks that were chosen have their direction.
                 reversed: chosen.reversed && walks.is_empty(),
                 contacts: (choices.collisions || choices.avoid_collisions).then_some(margin),
+                sag: choices.sag,
                 search: search_options(choices, share.wires),
                 clear_sides: !walks.is_empty(),
                 settled: if walks.is_empty() { settled.clone() } else { walks },
@@ -309,6 +307,8 @@ pub(crate) fn job_wire(plan: &WirePlan, pauses: &[JobPause]) -> Option<JobWire> 
         stock_mm: plan.stock?.mm(),
         time_s: plan.seconds?,
         avoids_collisions: plan.searched.is_some_and(|searched| searched.found),
+        clearance_mm: Some(plan.contact_options.margin.mm()).filter(|&mm| mm > 0.0),
+        sag: plan.contact_options.sag,
         pauses: pauses.to_vec(),
     })
 }
@@ -352,12 +352,7 @@ pub fn plan(
     if let Some(first) = planned.timings.first_mut() {
         first.insert("read", read_ms);
     }
-    let mut report = planned.report();
-    if request.sag {
-        for (wire, plan) in report.wires_mut().iter_mut().zip(&planned.wires) {
-            wire.sag = plan.max_sag(&planned.setup.model.wire).map(SagReport::from);
-        }
-    }
+    let report = planned.report();
     let mut made = (None, None, Vec::new());
     let wanted = request.output.is_some() || request.make_job;
     let withheld = wanted && !planned.feasible() && !request.despite_errors;

@@ -10,8 +10,8 @@ use wirebend_files::document::JobPause;
 
 use crate::machine::Setup;
 use crate::report::{
-    CompensatedReport, DiagnosticReport, JobStep, ProgramReport, RouteReport, SearchReport, WireReport,
-    WireframeReport,
+    CompensatedReport, DiagnosticReport, JobStep, ProgramReport, RouteReport, SagReport, SearchReport,
+    WireReport, WireframeReport,
 };
 
 impl WireReport {
@@ -67,7 +67,7 @@ impl WireReport {
             collisions_checked: plan.contacts.is_some(),
             // The wires of a part were searched for together: the first has what came of it, as it has the times.
             search: plan.searched.as_ref().filter(|_| !timings_ms.is_empty()).map(SearchReport::from),
-            sag: None,
+            sag: plan.sag.map(SagReport::from),
             pauses: pauses.to_vec(),
             time_s: plan.seconds,
             cost: fed.and_then(|fed| wire.cost(fed)),

@@ -9,7 +9,8 @@ use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::sag::Sag;
+use wirebend_core::clearance::JointSag;
+use wirebend_core::plan::PartSag;
 use wirebend_error::ErrorRemedy;
 use wirebend_files::document::JobPause;
 use wirebend_files::read::Note;
@@ -124,11 +125,36 @@ pub struct SagReport {
     pub deflection_mm: f64,
     /// The step of the program in which that is, counted from 0: at the end of its feed, or while it bends.
     pub step: usize,
+    /// How far the part reaches from the bend point then, mm. A sag of more than a tenth of it is only indicated.
+    pub reach_mm: f64,
+    /// Where the wire misses itself the most; null where it never comes back to a vertex.
+    pub joint: Option<JointSagReport>,
 }
 
-impl From<Sag> for SagReport {
-    fn from(sag: Sag) -> Self {
-        Self { deflection_mm: sag.deflection.mm(), step: sag.step }
+/// Where the wire comes back to a vertex that it has passed before, and how far the part has sagged there.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct JointSagReport {
+    /// How far apart the two places of the wire are, that should be one, mm.
+    pub off_mm: f64,
+    /// The step of the program whose feed brings it there, counted from 0.
+    pub step: usize,
+    /// The vertex.
+    pub vertex: u32,
+}
+
+impl From<PartSag> for SagReport {
+    fn from(PartSag { largest, joint }: PartSag) -> Self {
+        let joint = joint.map(|JointSag { step, vertex, off }| JointSagReport {
+            off_mm: off.mm(),
+            step,
+            vertex: vertex.0,
+        });
+        Self {
+            deflection_mm: largest.deflection.mm(),
+            step: largest.step,
+            reach_mm: largest.reach.mm(),
+            joint,
+        }
     }
 }
 
@@ -202,13 +228,6 @@ impl PlanReport {
     pub fn wires(&self) -> &[WireReport] {
         match self {
             Self::One(wire) => std::slice::from_ref(wire),
-            Self::Several { wires, .. } => wires,
-        }
-    }
-
-    pub(crate) fn wires_mut(&mut self) -> &mut [WireReport] {
-        match self {
-            Self::One(wire) => std::slice::from_mut(wire),
             Self::Several { wires, .. } => wires,
         }
     }

@@ -16,6 +16,7 @@ pub enum RemedyReport {
     /// Leave room for wires side by side.
     LeaveRoom,
     /// Tie wires that run side by side.
+    HoldUp,
     TieWires,
     /// Weld or tie wires where they touch.
     FastenThere,
@@ -135,6 +136,7 @@ impl From<&Remedy> for RemedyReport {
             Remedy::Leave => Self::Leave,
             Remedy::LeaveTouching => Self::LeaveTouching,
             Remedy::LeaveRoom => Self::LeaveRoom,
+            Remedy::HoldUp => Self::HoldUp,
             Remedy::TieWires => Self::TieWires,
             Remedy::FastenThere => Self::FastenThere,
             Remedy::JoinEdges => Self::JoinEdges,

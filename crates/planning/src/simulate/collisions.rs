@@ -48,7 +48,6 @@ pub(super) struct CollisionSearch<'a> {
     setup: &'a Setup,
     /// As it was planned.
     planned: ScheduledWire,
-    margin: Length,
     wires: u32,
     colliding: u32,
     found: BTreeMap<Obstacle, Found>,
@@ -63,10 +62,12 @@ struct Found {
 }
 
 impl<'a> CollisionSearch<'a> {
-    /// For the wire of a job; otherwise why that cannot be. `margin`: how far things have to stay from each other.
+    /// For the wire of a job; otherwise why that cannot be. `margin`: how far things have to stay from each other, where that is more
+    /// than the job says.
     pub fn new(wire: &JobWire, setup: &'a Setup, margin: Length) -> Result<Self, String> {
-        let planned = scheduled(wire, setup)?;
-        Ok(Self { setup, planned, margin, wires: 0, colliding: 0, found: BTreeMap::new() })
+        let mut planned = scheduled(wire, setup)?;
+        planned.options.margin = planned.options.margin.max(margin);
+        Ok(Self { setup, planned, wires: 0, colliding: 0, found: BTreeMap::new() })
     }
 
     /// A wire that came out with errors.
@@ -91,12 +92,13 @@ impl<'a> CollisionSearch<'a> {
 
     fn look(&mut self) {
         let machine = &self.setup.model;
-        let contacts = first_contacts(&self.planned.clearance(machine, self.margin), |_| true).contacts;
-        let findings = self.planned.check(machine, contacts.clone(), self.margin);
+        let contacts = first_contacts(&self.planned.clearance(machine), |_| true).contacts;
+        let findings = self.planned.check(machine, contacts.clone());
         let run = self.wires;
         self.wires += 1;
         // A depth has the clearance in it.
-        self.colliding += u32::from(contacts.iter().any(|contact| contact.depth >= self.margin));
+        self.colliding +=
+            u32::from(contacts.iter().any(|contact| contact.depth >= self.planned.options.margin));
         for (contact, finding) in contacts.into_iter().zip(findings) {
             let known = self.found.entry(contact.contact.obstacle).or_insert_with(|| Found {
                 wires: 0,

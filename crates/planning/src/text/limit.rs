@@ -18,6 +18,9 @@ pub fn source(source: LimitSource) -> String {
         LimitSource::Reach(ReachLimit::Peg) => {
             "springback and setback of this wire on this machine".to_owned()
         }
+        LimitSource::SmallDeflection => {
+            "a tenth of the reach: beam theory is of small deflections".to_owned()
+        }
         LimitSource::EulerLoad => {
             "half the load at which a column with pinned ends buckles (Euler)".to_owned()
         }

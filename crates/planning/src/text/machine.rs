@@ -1,6 +1,7 @@
 //! The machine as a whole: its head, its stock, the wires that it takes.
 
 use wirebend_core::checks::{BendRadius, Location};
+use wirebend_core::sag::Sag;
 use wirebend_core::units::{Angle, Length};
 
 use super::number::of_bend;
@@ -29,6 +30,12 @@ pub(super) fn bend_radius_small(bend: &BendRadius) -> String {
         "the inside of every bend has a radius of {inner:.2}, and this wire was seen to take {:.2} or more ({} times its diameter): the outside of bends may crack",
         bend.least(),
         least_diameters.value
+    )
+}
+
+pub(super) fn part_sags(Sag { deflection, reach, .. }: &Sag) -> String {
+    format!(
+        "the part already bent reaches {reach:.0} and sags by about {deflection:.0}, more than a tenth of that: it will not lie where the program has it"
     )
 }
 

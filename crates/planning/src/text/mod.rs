@@ -80,6 +80,7 @@ pub fn message(diagnostic: &Diagnostic) -> String {
         Fact::BendTorqueLow { needed_n_m, available_n_m, .. } => {
             machine::bend_torque_low(available_n_m.value, *needed_n_m)
         }
+        Fact::PartSags(sag) => machine::part_sags(sag),
         Fact::BendRadiusSmall(bend) => machine::bend_radius_small(bend),
         Fact::WireDoesNotFit { diameter, range, .. } => machine::wire_does_not_fit(*diameter, *range),
         Fact::MeetsMachine {

@@ -10,6 +10,7 @@ pub(super) fn clause(remedy: &Remedy) -> String {
         Remedy::Leave => "leave it",
         Remedy::LeaveTouching => "leave them where two wires are meant to touch",
         Remedy::LeaveRoom => "leave room for the wires side by side",
+        Remedy::HoldUp => "hold the part up while it is bent",
         Remedy::TieWires => "tie them together",
         Remedy::FastenThere => "weld or tie them there",
         Remedy::JoinEdges => "join them there with a vertex",

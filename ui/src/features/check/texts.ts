@@ -136,6 +136,7 @@ const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
   wire_does_not_fit: null,
   bend_torque_low: null,
   bend_radius_small: null,
+  part_sags: null,
 };
 
 /** Two vertices may be odd for each open wire. */

@@ -76,7 +76,6 @@ impl Case {
             output: None,
             make_job: true,
             pauses: Vec::new(),
-            sag: false,
             despite_errors: true,
         };
         match run(&Command::Plan(request)) {

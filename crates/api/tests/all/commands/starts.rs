@@ -31,7 +31,6 @@ fn planned(design: DesignInput, start: u32) -> PlanResponse {
         output: None,
         make_job: false,
         pauses: Vec::new(),
-        sag: false,
         despite_errors: false,
     };
     match Command::Plan(request).run(&Installation::new(&[]).unwrap(), &NoProgress).unwrap() {
@@ -114,7 +113,6 @@ fn a_start_that_does_not_fit_says_what_doubling_would_add() {
         output: None,
         make_job: false,
         pauses: Vec::new(),
-        sag: false,
         despite_errors: false,
     };
     let app = Installation::new(&[]).unwrap();

@@ -38,7 +38,6 @@ fn designed(case: &Case) -> Vec<Vec<Step>> {
         output: None,
         make_job,
         pauses: Vec::new(),
-        sag: false,
         despite_errors,
     };
     let Ok(Response::Plan(found)) = cases::run(&Command::Plan(request)) else { panic!("no plan") };
@@ -128,7 +127,6 @@ fn a_job_is_printed_like_its_design() {
         output: None,
         make_job: true,
         pauses: Vec::new(),
-        sag: false,
         despite_errors: false,
     };
     let Ok(Response::Plan(plan)) = cases::run(&Command::Plan(request)) else { panic!("no plan") };

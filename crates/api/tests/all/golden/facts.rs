@@ -47,7 +47,6 @@ impl Case {
             output: None,
             make_job: false,
             pauses: Vec::new(),
-            sag: false,
             despite_errors: true,
         };
         match run(&Command::Plan(request)) {

@@ -41,6 +41,7 @@ impl Fact {
             Self::WireDoesNotFit { .. } => Code::WireDoesNotFit,
             Self::BendTorqueLow { .. } => Code::BendTorqueLow,
             Self::BendRadiusSmall(_) => Code::BendRadiusSmall,
+            Self::PartSags(_) => Code::PartSags,
             Self::MeetsMachine { .. } => Code::MeetsMachine,
             Self::MeetsStock { .. } => Code::MeetsStock,
             Self::NoClearProgram { .. } => Code::NoClearProgram,

@@ -51,6 +51,7 @@ impl Fact {
                 Quantity::Ratio(available_n_m.value / needed_n_m)
             }
             Self::BendRadiusSmall(bend) => Quantity::Length(bend.inner),
+            Self::PartSags(sag) => Quantity::Length(sag.deflection),
             Self::FrameTooSoft { sag, .. } | Self::SequenceStep(Violation::Sags { sag: Some(sag), .. }) => {
                 Quantity::Length(*sag)
             }
@@ -127,6 +128,9 @@ impl Fact {
                 value: Quantity::Length(bend.least()),
                 source: LimitSource::Stated(&bend.least_diameters.source),
             },
+            Self::PartSags(sag) => {
+                Limit { value: Quantity::Length(sag.small()), source: LimitSource::SmallDeflection }
+            }
             Self::StrutOverstressed { yield_mpa, source, .. } => {
                 Limit { value: Quantity::Stress(*yield_mpa), source: LimitSource::Stated(source) }
             }

@@ -42,7 +42,7 @@ proptest! {
         let route = Route::through(&frame, &(0..u32::try_from(path.len()).unwrap()).map(VertexId).collect::<Vec<_>>()).unwrap();
         let passages = passages(&frame, &route.traversals, &program.spans);
         let bend = &machine.compensation.bend;
-        let wire = StockWire { diameter: mm(3.0), bend_radius: mm(3.0), tail: mm(400.0), margin: Length::ZERO };
+        let wire = StockWire { diameter: mm(3.0), bend_radius: mm(3.0), tail: mm(400.0), margin: Length::ZERO, hangs: None };
         // A schedule: each bend to a side, with the head as near to zero as that allows.
         let bends: Vec<usize> = (0..program.steps.len()).filter(|&k| program.steps[k].bend != Angle::ZERO).collect();
         let mut unflipped = deg(orientation);
@@ -127,8 +127,13 @@ fn no_other_choice_of_signs_and_windings_is_better() {
         tried += 1;
         let scheduled = crate::schedule::build(&program, &bends, &chosen);
         let begins = scheduled_start(best.start, &scheduled.steps);
-        let wire =
-            StockWire { diameter: mm(3.0), bend_radius: mm(3.0), tail: mm(400.0), margin: Length::ZERO };
+        let wire = StockWire {
+            diameter: mm(3.0),
+            bend_radius: mm(3.0),
+            tail: mm(400.0),
+            margin: Length::ZERO,
+            hangs: None,
+        };
         let bend = &machine.compensation.bend;
         let clearance =
             Clearance::new((begins, &scheduled.steps), None, passages.clone(), wire, &machine.bodies, bend);

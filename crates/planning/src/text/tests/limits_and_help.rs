@@ -67,6 +67,7 @@ fn every_remedy_is_a_clause() {
         Remedy::Leave,
         Remedy::LeaveTouching,
         Remedy::LeaveRoom,
+        Remedy::HoldUp,
         Remedy::TieWires,
         Remedy::FastenThere,
         Remedy::JoinEdges,

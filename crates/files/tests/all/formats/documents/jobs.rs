@@ -28,6 +28,8 @@ pub(super) fn example_job() -> JobContents {
             stock_mm: 460.0,
             time_s: 91.5,
             avoids_collisions: false,
+            clearance_mm: None,
+            sag: false,
             pauses: vec![pause(2, "turn the part")],
         }],
         objections: vec!["edge 1 is too short".into()],
