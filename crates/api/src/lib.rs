@@ -18,9 +18,9 @@ pub use requests::{COMMANDS, Command, REQUESTS, Request, Response, request_schem
 pub use workspace::*;
 
 pub use wirebend_editor::{
-    ChosenWalk, DesignState, DesignView, EdgeView, EditOutcome, EditRequest, Editor, EditorError, FilletPart,
-    Fix, FixAll, FixChange, FixPreview, LiveCheck, MergePlace, Moved, PastedVertex, Placed, Unsaved,
-    VertexView, ViewChange, WireFigures,
+    AvoidedCollisions, ChosenWalk, DesignState, DesignView, EdgeView, EditOutcome, EditRequest, Editor,
+    EditorError, FilletPart, Fix, FixAll, FixChange, FixPreview, HelpFix, LiveCheck, MergePlace, Moved,
+    PastedVertex, Placed, SearchSettings, Unsaved, VertexView, ViewChange, WireFigures,
 };
 pub use wirebend_operation::by_hand::{DryRunRequest, JogRequest, JogResponse, ReplayRequest};
 pub use wirebend_operation::calibrate::CalibrateEnterRequest;
@@ -108,7 +108,7 @@ pub use wirebend_planning::simulate::{
     StepShare, VertexReport,
 };
 pub use wirebend_planning::stage::StageName;
-pub use wirebend_planning::wires::{WiresRequest, WiresResponse, WiresRow};
+pub use wirebend_planning::wires::{LeftOutReason, LeftOutWires, WiresRequest, WiresResponse, WiresRow};
 
 pub use wirebend_driver_host::api::{Capability, DoneBy, SettingCheck, Usb};
 pub use wirebend_driver_host::{

@@ -14,7 +14,7 @@ use wirebend_planning::{
 
 use crate::workspace::{self, ApiErrorReport, Work, Workspace};
 use crate::{
-    ApiError, CalibrateApplyRequest, CalibrateApplyResponse, CalibrateCompareRequest,
+    ApiError, AvoidedCollisions, CalibrateApplyRequest, CalibrateApplyResponse, CalibrateCompareRequest,
     CalibrateCompareResponse, CalibrateEnterRequest, CalibrateEnterResponse, CalibrateFitRequest,
     CalibrateNewRequest, CalibrateNewResponse, CalibrationReport, CalibrationSheet, CalibrationSheetRequest,
     CheckRequest, CheckResponse, Collisions, CompareRequest, CompareResponse, ConsoleRequest,
@@ -273,6 +273,10 @@ requests! {
         Collisions(workspace::CheckCollisions) -> Collisions = Workspace::collisions, "collisions";
         /// Stops looking for that.
         StopCollisions(workspace::StopCollisions) -> workspace::CollisionsStopped = Workspace::stop_collisions, "stop-collisions";
+        /// Searches for wires that hit nothing.
+        AvoidCollisions(workspace::AvoidCollisions) -> AvoidedCollisions = Workspace::avoid_collisions, "avoid-collisions";
+        /// Ends that search with the best that it has.
+        StopAvoiding(workspace::StopAvoiding) -> workspace::AvoidingStopped = Workspace::stop_avoiding, "stop-avoiding";
         /// Predicts how far off the machine will make the design.
         Predict(PredictionRequest) -> workspace::PredictedDesign = Workspace::predict, "predict";
         /// Stops predicting.

@@ -33,7 +33,7 @@ pub use collisions::CollisionCheck;
 use edit_journal::EditJournal;
 pub use edit_journal::Unsaved;
 pub use error::EditorError;
-pub use fixes::{Fix, FixAll, FixChange, FixPreview};
+pub use fixes::{AvoidedCollisions, Fix, FixAll, FixChange, FixPreview, HelpFix, SearchSettings};
 use history::{Done, History};
 pub use outcome::{EditOutcome, FilletPart};
 pub use plane::{AxisName, OwnPlane, PlaneName};

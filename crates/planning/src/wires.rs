@@ -9,7 +9,7 @@ use crate::choices::PlanChoices;
 use crate::compare::MachineSide;
 use crate::design::DesignInput;
 use crate::plan::Planned;
-use crate::report::NoteReport;
+use crate::report::{NoteReport, SearchReport};
 use crate::{Installation, PlanningError, Progress};
 
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -28,8 +28,34 @@ pub struct WiresRequest {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct WiresResponse {
     pub rows: Vec<WiresRow>,
+    /// The numbers of wires in the range that have no row, and why.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<LeftOutWires>,
     /// What was merged, ignored or assumed while reading, and what to know of the wires; each once.
     pub notes: Vec<NoteReport>,
+}
+
+/// Numbers of wires that have no row.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct LeftOutWires {
+    pub from: u32,
+    pub to: u32,
+    #[serde(flatten)]
+    pub why: LeftOutReason,
+}
+
+/// Why a number of wires has no row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(tag = "reason", rename_all = "kebab-case")]
+pub enum LeftOutReason {
+    /// Each part of the design needs a wire.
+    FewerThanParts { parts: usize },
+    /// So many wires save as much of what is doubled.
+    SavesNothing { enough: usize },
+    /// A program without collisions needs so many wires only.
+    NotNeeded { enough: usize },
+    /// The search has found no program without collisions; without one, no more wires than these are used.
+    NothingFound { used: usize },
 }
 
 /// The design from so many wires.
@@ -44,6 +70,9 @@ pub struct WiresRow {
     pub length_mm: f64,
     /// Price of the stock, in the currency of the cost; null where the price is not known.
     pub stock_cost: Option<f64>,
+    /// What came of the search for wires that hit nothing, of all parts together; absent where nobody searched.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub search: Option<SearchReport>,
     /// The figures on the machine.
     #[serde(flatten)]
     pub side: MachineSide,
@@ -72,6 +101,11 @@ pub fn wires(
     let least = u32::try_from(parts).map_or(request.to, |parts| parts.clamp(request.from, request.to));
     let mut rows: Vec<WiresRow> = Vec::new();
     let mut notes: Vec<NoteReport> = Vec::new();
+    let mut left_out: Vec<LeftOutWires> = Vec::new();
+    if least > request.from {
+        let why = LeftOutReason::FewerThanParts { parts };
+        left_out.push(LeftOutWires { from: request.from, to: least - 1, why });
+    }
     // Parts that do not touch need a wire each: with fewer the plan is the same.
     for wires in least..=request.to {
         let choices = PlanChoices { wires: Some(wires), double: true, ..request.choices.clone() };
@@ -82,16 +116,30 @@ pub fn wires(
                 notes.push(note);
             }
         }
-        let used = row.wires;
-        if rows.last().is_none_or(|last| last.wires < used) {
+        let (used, found) = (row.wires, row.search.as_ref().map(|search| search.found));
+        let is_new = rows.last().is_none_or(|last| last.wires < used);
+        if is_new {
             rows.push(row);
         }
-        // More wires than save something are not used.
-        if used < wires as usize {
+        // More wires than save something, or than a program without collisions needs, are not used.
+        let is_enough = used < wires as usize && found != Some(false);
+        let (from, to) = if is_new { (wires + 1, request.to) } else { (wires, request.to) };
+        if is_enough {
+            let enough = used;
+            let why = if found.is_some() {
+                LeftOutReason::NotNeeded { enough }
+            } else {
+                LeftOutReason::SavesNothing { enough }
+            };
+            left_out.extend((from <= to).then_some(LeftOutWires { from, to, why }));
             break;
         }
+        if !is_new {
+            let why = LeftOutReason::NothingFound { used };
+            left_out.push(LeftOutWires { from: wires, to: wires, why });
+        }
     }
-    Ok(WiresResponse { rows, notes })
+    Ok(WiresResponse { rows, left_out, notes })
 }
 
 impl WiresRow {
@@ -108,6 +156,7 @@ impl WiresRow {
             doubled_mm: (length.mm() - design.mm()).max(0.0),
             length_mm: length.mm(),
             stock_cost: stock_costs.sum(),
+            search: planned.searched(),
             side: MachineSide::new(planned),
         }
     }

@@ -747,6 +747,7 @@ export interface Requests {
   about: AboutRequest;
   answer: AnswerMachine;
   "apply-calibration": ApplyCalibration;
+  "avoid-collisions": AvoidCollisions;
   "by-hand": ByHandRequest;
   "calibrate-compare": CalibrateCompareRequest;
   "calibrate-enter": CalibrateEnterRequest;
@@ -813,6 +814,7 @@ export interface Requests {
   "set-profile": SetProfile;
   "show-lengths": ShowLengths;
   start: Start;
+  "stop-avoiding": StopAvoiding;
   "stop-collisions": StopCollisions;
   "stop-frame": StopFrame;
   "stop-prediction": StopPrediction;
@@ -868,6 +870,50 @@ export interface ApplyCalibration {
    * The sheet.
    */
   sheet: string;
+}
+/**
+ * Searches for wires of the design that hit nothing. A search that is under way is ended.
+ */
+export interface AvoidCollisions {
+  settings?: SearchSettings;
+}
+/**
+ * How to search; what is left out is as on the command line.
+ */
+export interface SearchSettings {
+  /**
+   * How many steps may be checked for each number of wires; absent, 20,000.
+   */
+  effort?: number | null;
+  /**
+   * Where chance begins; absent, 1.
+   */
+  seed?: number | null;
+  /**
+   * What makes one program better than another; absent: fewest wires, then the least doubled length, then the least time.
+   */
+  weights?: SearchWeights | null;
+  /**
+   * How many wires there may be; absent, as many as the design has, and where it has one, up to 32.
+   */
+  wires?: number | null;
+}
+/**
+ * What each part of a program costs a search, in a unit of the person's own: the program with the least sum is the best.
+ */
+export interface SearchWeights {
+  /**
+   * A millimetre that is doubled.
+   */
+  doubled_mm?: number;
+  /**
+   * A second of turns of the head and of bends.
+   */
+  second?: number;
+  /**
+   * A wire.
+   */
+  wire?: number;
 }
 /**
  * Asks for the wire that moves by hand have bent since the machine was homed or connected.
@@ -1826,6 +1872,10 @@ export interface ShowLengths {
  * What a window needs when it opens.
  */
 export interface Start {}
+/**
+ * Ends the search for wires that hit nothing: it answers with the best that it has.
+ */
+export interface StopAvoiding {}
 /**
  * Stops the check for collisions that is under way, and the search for what would fix them.
  */

@@ -620,357 +620,6 @@ export type DoneBy = "machine" | "clock";
  */
 export type KindName = "bends" | "feeds" | "turns";
 /**
- * What a profile describes.
- */
-export type Kind = "machine" | "material" | "noise" | "strut-builder";
-/**
- * What a body moves with.
- */
-export type Part = "frame" | "head" | "peg";
-/**
- * A solid about its own centre.
- */
-export type Solid =
-  | {
-      box: {
-        /**
-         * Its edges along x, y and z, millimetres.
-         *
-         * @minItems 3
-         * @maxItems 3
-         */
-        size_mm: [number, number, number];
-      };
-    }
-  | {
-      cylinder: {
-        /**
-         * Its length, millimetres.
-         */
-        length_mm: number;
-        /**
-         * Its radius, millimetres.
-         */
-        radius_mm: number;
-      };
-    };
-/**
- * The kind of a finding: a name that stays the same.
- */
-export type DiagnosticCode =
-  | "zero_length_edge"
-  | "parallel_edges"
-  | "coincident_vertices"
-  | "edges_meet"
-  | "isolated_vertex"
-  | "several_wires"
-  | "no_edges"
-  | "no_euler_path"
-  | "route_refused"
-  | "edge_too_short"
-  | "edge_near_limit"
-  | "bend_too_sharp"
-  | "bend_near_limit"
-  | "bend_out_of_reach"
-  | "bend_too_small"
-  | "lead_too_short"
-  | "corner_too_near"
-  | "corner_within_reach"
-  | "head_not_measured"
-  | "bend_in_scatter"
-  | "corner_not_made"
-  | "fold_back"
-  | "doubled_edge"
-  | "feed_too_short"
-  | "feed_near_limit"
-  | "arcs_overlap"
-  | "feed_too_long"
-  | "rotation_out_of_range"
-  | "stock_too_long"
-  | "wire_does_not_fit"
-  | "bend_torque_low"
-  | "bend_radius_small"
-  | "part_sags"
-  | "meets_machine"
-  | "meets_stock"
-  | "no_clear_program"
-  | "frame_unsupported"
-  | "frame_mechanism"
-  | "strut_overstressed"
-  | "strut_near_buckling"
-  | "frame_too_soft"
-  | "strut_floating"
-  | "no_head_direction"
-  | "out_of_workspace"
-  | "sequence_not_found"
-  | "sequence_wrong";
-/**
- * What can be done about a finding, where the finding is.
- */
-export type RemedyReport =
-  | {
-      remedy: "leave";
-    }
-  | {
-      remedy: "leave_touching";
-    }
-  | {
-      remedy: "leave_room";
-    }
-  | {
-      remedy: "hold_up";
-    }
-  | {
-      remedy: "tie_wires";
-    }
-  | {
-      remedy: "fasten_there";
-    }
-  | {
-      remedy: "join_edges";
-    }
-  | {
-      remedy: "draw_edges";
-    }
-  | {
-      remedy: "take_face_edges";
-    }
-  | {
-      remedy: "delete_edge";
-    }
-  | {
-      remedy: "delete_parallel_edge";
-    }
-  | {
-      remedy: "merge_vertices";
-    }
-  | {
-      remedy: "connect_vertex";
-    }
-  | {
-      remedy: "delete_vertex";
-    }
-  | {
-      remedy: "connect_parts";
-    }
-  | {
-      remedy: "bend_each_part";
-    }
-  | {
-      /**
-       * The length that they add, in mm.
-       */
-      added_mm: number;
-      /**
-       * The length of the wire's edges without them, in mm.
-       */
-      design_mm: number;
-      edges: number[];
-      remedy: "double_edges";
-    }
-  | {
-      /**
-       * The length that they add, in mm.
-       */
-      added_mm: number;
-      /**
-       * By id; one may be there more than once.
-       */
-      edges: number[];
-      remedy: "detour";
-    }
-  | {
-      remedy: "find_doubling";
-    }
-  | {
-      remedy: "reduce_odd_vertices";
-    }
-  | {
-      remedy: "start_at_vertex";
-    }
-  | {
-      remedy: "end_at_vertex";
-    }
-  | {
-      remedy: "choose_start";
-    }
-  | {
-      remedy: "leave_start_open";
-    }
-  | {
-      remedy: "split_design";
-    }
-  | {
-      remedy: "split_edge";
-    }
-  | {
-      /**
-       * By at least so much, in mm, where that is known.
-       */
-      by_mm?: number | null;
-      remedy: "lengthen_edge";
-    }
-  | {
-      remedy: "shorten_straight";
-    }
-  | {
-      remedy: "add_bend";
-    }
-  | {
-      remedy: "scale_up";
-    }
-  | {
-      remedy: "scale_down";
-    }
-  | {
-      remedy: "open_angle";
-    }
-  | {
-      remedy: "open_angle_of_two";
-    }
-  | {
-      /**
-       * The largest bend that can be reached, in degrees.
-       */
-      max_deg: number;
-      remedy: "keep_bend_below";
-    }
-  | {
-      remedy: "enlarge_bend";
-    }
-  | {
-      remedy: "straighten";
-    }
-  | {
-      remedy: "ease_bends";
-    }
-  | {
-      remedy: "turn_bend_plane";
-    }
-  | {
-      remedy: "move_apart";
-    }
-  | {
-      remedy: "avoid_collisions";
-    }
-  | {
-      remedy: "search_longer";
-    }
-  | {
-      remedy: "allow_wires";
-    }
-  | {
-      remedy: "calibrate";
-    }
-  | {
-      remedy: "measure_body";
-    }
-  | {
-      remedy: "support_vertices";
-    }
-  | {
-      remedy: "brace_frame";
-    }
-  | {
-      remedy: "build_later";
-    }
-  | {
-      remedy: "turn_head";
-    }
-  | {
-      remedy: "move_frame";
-    }
-  | {
-      remedy: "allow_more_sag";
-    }
-  | {
-      remedy: "choose_material";
-    }
-  | {
-      remedy: "choose_machine";
-    }
-  | {
-      remedy: "choose_machine_with_rotation";
-    };
-/**
- * How bad a finding is.
- */
-export type SeverityName = "error" | "warning" | "info";
-/**
- * Red, green and blue as the screen takes them: "#7f93ab".
- */
-export type Colour = string;
-/**
- * What the numbers of a file measure.
- */
-export type LengthUnit = ("mm" | "cm" | "m") | "inch";
-/**
- * How struts are held together.
- */
-export type JointKind = ("solder" | "zip-tie") | "snap-fit";
-/**
- * One axis by an amount, in canonical signs, or homing.
- */
-export type Move =
-  | {
-      move: "home";
-    }
-  | {
-      /**
-       * By so much; below 0 back into the machine.
-       */
-      mm: number;
-      move: "feed";
-    }
-  | {
-      /**
-       * By so much, right-handed about the direction of travel.
-       */
-      deg: number;
-      move: "rotate";
-    }
-  | {
-      /**
-       * By so much.
-       */
-      deg: number;
-      move: "bend";
-    };
-/**
- * What a file to be run is.
- */
-export type RunFileKind = "job" | "program" | "moves";
-/**
- * Something that a driver can do.
- */
-export type Capability =
-  | "export"
-  | "live"
-  | "jog"
-  | "home"
-  | "pause"
-  | "resume"
-  | "stop"
-  | "ports"
-  | "settings"
-  | "dry-run"
-  | "speed"
-  | "before-zero"
-  | "console"
-  | "cut";
-/**
- * What a format holds.
- */
-export type Content = "design" | "machine";
-/**
- * How many files come of several wires.
- */
-export type Files = "each-wire" | "one";
-/**
- * Whether a driver can be used.
- */
-export type DriverState = "shipped" | "accepted" | "unknown" | "changed" | "refused";
-/**
  * A change that a person asks for. Lengths in mm, vertices and edges by their ids.
  */
 export type EditRequest =
@@ -1420,6 +1069,10 @@ export type EditRequest =
       label: string;
     };
 /**
+ * How struts are held together.
+ */
+export type JointKind = ("solder" | "zip-tie") | "snap-fit";
+/**
  * What happens to the rest of the wireframe beyond a vertex that goes elsewhere.
  */
 export type RestPlace = "stays" | "follows";
@@ -1439,6 +1092,10 @@ export type PlaneName = "xy" | "xz" | "yz";
  * What the size of a regular polygon is.
  */
 export type PolygonMeasure = "corners" | "flats" | "side";
+/**
+ * What the numbers of a file measure.
+ */
+export type LengthUnit = ("mm" | "cm" | "m") | "inch";
 /**
  * What becomes of construction lines. They are named by their places in the list, from 0.
  */
@@ -1462,6 +1119,405 @@ export type ConstructionChange =
       lines: number[];
       make: "nothing";
     };
+/**
+ * Red, green and blue as the screen takes them: "#7f93ab".
+ */
+export type Colour = string;
+/**
+ * The kind of a finding: a name that stays the same.
+ */
+export type DiagnosticCode =
+  | "zero_length_edge"
+  | "parallel_edges"
+  | "coincident_vertices"
+  | "edges_meet"
+  | "isolated_vertex"
+  | "several_wires"
+  | "no_edges"
+  | "no_euler_path"
+  | "route_refused"
+  | "edge_too_short"
+  | "edge_near_limit"
+  | "bend_too_sharp"
+  | "bend_near_limit"
+  | "bend_out_of_reach"
+  | "bend_too_small"
+  | "lead_too_short"
+  | "corner_too_near"
+  | "corner_within_reach"
+  | "head_not_measured"
+  | "bend_in_scatter"
+  | "corner_not_made"
+  | "fold_back"
+  | "doubled_edge"
+  | "feed_too_short"
+  | "feed_near_limit"
+  | "arcs_overlap"
+  | "feed_too_long"
+  | "rotation_out_of_range"
+  | "stock_too_long"
+  | "wire_does_not_fit"
+  | "bend_torque_low"
+  | "bend_radius_small"
+  | "part_sags"
+  | "meets_machine"
+  | "meets_stock"
+  | "no_clear_program"
+  | "frame_unsupported"
+  | "frame_mechanism"
+  | "strut_overstressed"
+  | "strut_near_buckling"
+  | "frame_too_soft"
+  | "strut_floating"
+  | "no_head_direction"
+  | "out_of_workspace"
+  | "sequence_not_found"
+  | "sequence_wrong";
+/**
+ * What can be done about a finding, where the finding is.
+ */
+export type RemedyReport =
+  | {
+      remedy: "leave";
+    }
+  | {
+      remedy: "leave_touching";
+    }
+  | {
+      remedy: "leave_room";
+    }
+  | {
+      remedy: "hold_up";
+    }
+  | {
+      remedy: "tie_wires";
+    }
+  | {
+      remedy: "fasten_there";
+    }
+  | {
+      remedy: "join_edges";
+    }
+  | {
+      remedy: "draw_edges";
+    }
+  | {
+      remedy: "take_face_edges";
+    }
+  | {
+      remedy: "delete_edge";
+    }
+  | {
+      remedy: "delete_parallel_edge";
+    }
+  | {
+      remedy: "merge_vertices";
+    }
+  | {
+      remedy: "connect_vertex";
+    }
+  | {
+      remedy: "delete_vertex";
+    }
+  | {
+      remedy: "connect_parts";
+    }
+  | {
+      remedy: "bend_each_part";
+    }
+  | {
+      /**
+       * The length that they add, in mm.
+       */
+      added_mm: number;
+      /**
+       * The length of the wire's edges without them, in mm.
+       */
+      design_mm: number;
+      edges: number[];
+      remedy: "double_edges";
+    }
+  | {
+      /**
+       * The length that they add, in mm.
+       */
+      added_mm: number;
+      /**
+       * By id; one may be there more than once.
+       */
+      edges: number[];
+      remedy: "detour";
+    }
+  | {
+      remedy: "find_doubling";
+    }
+  | {
+      remedy: "reduce_odd_vertices";
+    }
+  | {
+      remedy: "start_at_vertex";
+    }
+  | {
+      remedy: "end_at_vertex";
+    }
+  | {
+      remedy: "choose_start";
+    }
+  | {
+      remedy: "leave_start_open";
+    }
+  | {
+      remedy: "split_design";
+    }
+  | {
+      remedy: "split_edge";
+    }
+  | {
+      /**
+       * By at least so much, in mm, where that is known.
+       */
+      by_mm?: number | null;
+      remedy: "lengthen_edge";
+    }
+  | {
+      remedy: "shorten_straight";
+    }
+  | {
+      remedy: "add_bend";
+    }
+  | {
+      remedy: "scale_up";
+    }
+  | {
+      remedy: "scale_down";
+    }
+  | {
+      remedy: "open_angle";
+    }
+  | {
+      remedy: "open_angle_of_two";
+    }
+  | {
+      /**
+       * The largest bend that can be reached, in degrees.
+       */
+      max_deg: number;
+      remedy: "keep_bend_below";
+    }
+  | {
+      remedy: "enlarge_bend";
+    }
+  | {
+      remedy: "straighten";
+    }
+  | {
+      remedy: "ease_bends";
+    }
+  | {
+      remedy: "turn_bend_plane";
+    }
+  | {
+      remedy: "move_apart";
+    }
+  | {
+      remedy: "avoid_collisions";
+    }
+  | {
+      remedy: "search_longer";
+    }
+  | {
+      remedy: "allow_wires";
+    }
+  | {
+      remedy: "calibrate";
+    }
+  | {
+      remedy: "measure_body";
+    }
+  | {
+      remedy: "support_vertices";
+    }
+  | {
+      remedy: "brace_frame";
+    }
+  | {
+      remedy: "build_later";
+    }
+  | {
+      remedy: "turn_head";
+    }
+  | {
+      remedy: "move_frame";
+    }
+  | {
+      remedy: "allow_more_sag";
+    }
+  | {
+      remedy: "choose_material";
+    }
+  | {
+      remedy: "choose_machine";
+    }
+  | {
+      remedy: "choose_machine_with_rotation";
+    };
+/**
+ * A change with which a search finds a program that hits nothing: it was tried.
+ */
+export type HelpReport =
+  | {
+      help: "more-wires";
+      /**
+       * One a wire.
+       */
+      walks: WalkReport[];
+    }
+  | {
+      /**
+       * What they add to the wire, in mm.
+       */
+      added_mm: number;
+      /**
+       * Which.
+       */
+      edges: number[];
+      help: "double-edges";
+      /**
+       * One a wire.
+       */
+      walks: WalkReport[];
+    }
+  | {
+      /**
+       * How far that is, in mm.
+       */
+      by_mm: number;
+      help: "move-vertex";
+      /**
+       * Where it goes, in mm.
+       *
+       * @minItems 3
+       * @maxItems 3
+       */
+      to_mm: [number, number, number];
+      /**
+       * Which.
+       */
+      vertex: number;
+      /**
+       * One a wire.
+       */
+      walks: WalkReport[];
+    };
+/**
+ * What is in the way of a search.
+ */
+export type ObstacleName = "body" | "stock" | "head-limit";
+/**
+ * A kind of change that may help a search.
+ */
+export type ChangeName = "more-wires" | "double-edges" | "move-vertex";
+/**
+ * How bad a finding is.
+ */
+export type SeverityName = "error" | "warning" | "info";
+/**
+ * What a profile describes.
+ */
+export type Kind = "machine" | "material" | "noise" | "strut-builder";
+/**
+ * What a body moves with.
+ */
+export type Part = "frame" | "head" | "peg";
+/**
+ * A solid about its own centre.
+ */
+export type Solid =
+  | {
+      box: {
+        /**
+         * Its edges along x, y and z, millimetres.
+         *
+         * @minItems 3
+         * @maxItems 3
+         */
+        size_mm: [number, number, number];
+      };
+    }
+  | {
+      cylinder: {
+        /**
+         * Its length, millimetres.
+         */
+        length_mm: number;
+        /**
+         * Its radius, millimetres.
+         */
+        radius_mm: number;
+      };
+    };
+/**
+ * One axis by an amount, in canonical signs, or homing.
+ */
+export type Move =
+  | {
+      move: "home";
+    }
+  | {
+      /**
+       * By so much; below 0 back into the machine.
+       */
+      mm: number;
+      move: "feed";
+    }
+  | {
+      /**
+       * By so much, right-handed about the direction of travel.
+       */
+      deg: number;
+      move: "rotate";
+    }
+  | {
+      /**
+       * By so much.
+       */
+      deg: number;
+      move: "bend";
+    };
+/**
+ * What a file to be run is.
+ */
+export type RunFileKind = "job" | "program" | "moves";
+/**
+ * Something that a driver can do.
+ */
+export type Capability =
+  | "export"
+  | "live"
+  | "jog"
+  | "home"
+  | "pause"
+  | "resume"
+  | "stop"
+  | "ports"
+  | "settings"
+  | "dry-run"
+  | "speed"
+  | "before-zero"
+  | "console"
+  | "cut";
+/**
+ * What a format holds.
+ */
+export type Content = "design" | "machine";
+/**
+ * How many files come of several wires.
+ */
+export type Files = "each-wire" | "one";
+/**
+ * Whether a driver can be used.
+ */
+export type DriverState = "shipped" | "accepted" | "unknown" | "changed" | "refused";
 /**
  * What a mode is.
  */
@@ -1967,6 +2023,7 @@ export interface Responses {
   about: AboutResponse;
   answer: MachineNow;
   "apply-calibration": CalibrateApplyResponse;
+  "avoid-collisions": AvoidedCollisions;
   "by-hand": ByHandResponse;
   "calibrate-compare": CalibrateCompareResponse;
   "calibrate-enter": CalibrateEnterResponse;
@@ -2033,6 +2090,7 @@ export interface Responses {
   "set-profile": ProfileView;
   "show-lengths": LengthsShown;
   start: Started;
+  "stop-avoiding": AvoidingStopped;
   "stop-collisions": CollisionsStopped;
   "stop-frame": FrameStopped;
   "stop-prediction": PredictionStopped;
@@ -2582,6 +2640,399 @@ export interface LeftOutReport {
   reading: number;
 }
 /**
+ * What came of a search for wires that hit nothing.
+ */
+export interface AvoidedCollisions {
+  /**
+   * The best wires, where they hit less than the design's; tried with a check for collisions.
+   */
+  best: Fix | null;
+  /**
+   * Whether a person has ended the search, or the trials after it, before it was done.
+   */
+  ended: boolean;
+  /**
+   * Whether wires were found that hit nothing.
+   */
+  found: boolean;
+  /**
+   * What was tried and helps.
+   */
+  helps: HelpFix[];
+  /**
+   * How many steps were checked.
+   */
+  steps_checked: number;
+  /**
+   * For each part of the design without a program what was in the way.
+   */
+  unfound: DiagnosticReport[];
+}
+/**
+ * Something that fixes what a check says. Lengths in mm.
+ */
+export interface Fix {
+  after: FixTotals;
+  change: FixChange;
+  edit: EditRequest;
+  /**
+   * How many errors there are afterwards.
+   */
+  errors_after: number;
+  /**
+   * Whether the machine can make the design afterwards.
+   */
+  feasible_after: boolean;
+  mends: DiagnosticReport;
+  preview: FixPreview;
+  /**
+   * For a button: "Run the wire along 13 edges twice (+102.0 mm)", "Move vertex 41 by 3.2 mm".
+   */
+  title: string;
+}
+/**
+ * Sums over all wires of the design afterwards. Null where one of them is not known.
+ */
+export interface FixTotals {
+  /**
+   * How many things they meet while they are bent; null where that was not looked for.
+   */
+  collisions: number | null;
+  /**
+   * Price of the designed length.
+   */
+  cost: number | null;
+  /**
+   * Designed length, mm.
+   */
+  length_mm: number | null;
+  /**
+   * Stock to load, mm.
+   */
+  stock_mm: number | null;
+  /**
+   * Time on the machine, s.
+   */
+  time_s: number | null;
+  /**
+   * How many wires there are.
+   */
+  wires: number;
+}
+/**
+ * Sums over all wires of the design afterwards, less those of before. Null where one of them is not known, as
+ * without a route.
+ */
+export interface FixChange {
+  /**
+   * Price of the designed length.
+   */
+  cost: number | null;
+  /**
+   * Of the cost.
+   */
+  currency: string | null;
+  /**
+   * Errors. A wire that had no route was not checked for bends: its errors show once it has one.
+   */
+  errors: number;
+  /**
+   * Designed length, mm.
+   */
+  length_mm: number | null;
+  /**
+   * Stock to load, mm.
+   */
+  stock_mm: number | null;
+  /**
+   * Time on the machine, s.
+   */
+  time_s: number | null;
+  warnings: number;
+}
+/**
+ * A vertex of a piece.
+ */
+export interface PastedVertex {
+  /**
+   * @minItems 3
+   * @maxItems 3
+   */
+  at_mm: [number, number, number];
+  /**
+   * What holds the struts together there.
+   */
+  joint?: Joint | null;
+  /**
+   * Whether the design holds it fixed.
+   */
+  support: boolean;
+}
+/**
+ * What holds struts together at a vertex.
+ */
+export interface Joint {
+  kind: JointKind;
+  /**
+   * What it weighs, in g.
+   */
+  mass_g: number;
+}
+/**
+ * A vertex and where it goes.
+ */
+export interface Placed {
+  /**
+   * @minItems 3
+   * @maxItems 3
+   */
+  at_mm: [number, number, number];
+  vertex: number;
+}
+/**
+ * A plane that is none of the axes. What lies on it is given along its first axis, along its second, and off it, from where it was put.
+ */
+export interface OwnPlane {
+  /**
+   * Where it was put.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  origin_mm: [number, number, number];
+  /**
+   * Its first axis, of any length.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  u: [number, number, number];
+  /**
+   * Its second: of what it has across the first, the direction counts.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  v: [number, number, number];
+}
+/**
+ * The way of one wire along the edges.
+ */
+export interface ChosenWalk {
+  /**
+   * The edges in the order in which it runs along them.
+   */
+  edges: number[];
+  /**
+   * The vertex where it starts.
+   */
+  start: number;
+}
+/**
+ * How a stencil lies in the design. It is scaled and turned about the middle of its box, and that is moved.
+ */
+export interface Placement {
+  /**
+   * How much larger than in its file it is.
+   */
+  scale: number;
+  /**
+   * How far it is moved along x, y and z, mm.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  shift_mm: [number, number, number];
+  /**
+   * How far it is turned about the x axis, then about the y axis, then about the z axis of the design, degrees.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  turn_deg: [number, number, number];
+}
+/**
+ * What it is called, its colour, and whether it is hidden. None of it changes what is bent.
+ */
+export interface Look {
+  /**
+   * Absent for the usual one.
+   */
+  colour?: Colour | null;
+  /**
+   * Whether it is left out of the view.
+   */
+  hidden?: boolean;
+  /**
+   * Empty where nobody has named it.
+   */
+  name?: string;
+}
+/**
+ * A finding: what is wrong or worth knowing.
+ */
+export interface DiagnosticReport {
+  /**
+   * The body of the machine that the wire hits, as its profile calls it.
+   */
+  body?: string | null;
+  code: DiagnosticCode;
+  /**
+   * The edge that it is about foremost.
+   */
+  edge?: number | null;
+  /**
+   * All its edges, where there are several.
+   */
+  edges?: number[];
+  /**
+   * What to do: the remedies in words.
+   */
+  help: string;
+  /**
+   * The limit, in `unit`.
+   */
+  limit?: number | null;
+  /**
+   * Why the limit is what it is, where its profile or driver says so: `limit_source` without what it stands in.
+   */
+  limit_reason?: string | null;
+  /**
+   * Where the limit comes from.
+   */
+  limit_source?: string | null;
+  /**
+   * What it says, with its figures: a sentence without a full stop.
+   */
+  message: string;
+  /**
+   * What can be done about it, the most promising first.
+   */
+  remedies?: RemedyReport[];
+  /**
+   * Of a search that has found no program without a collision: what was in its way, and what helps.
+   */
+  search?: UnfoundReport | null;
+  severity: SeverityName;
+  /**
+   * The step of the program, counted from 0.
+   */
+  step?: number | null;
+  /**
+   * The unit of value and limit: `mm`, `deg`, `mpa`, or none for a count and for a share.
+   */
+  unit?: string | null;
+  /**
+   * What was measured, in `unit`.
+   */
+  value?: number | null;
+  /**
+   * The vertex that it is about foremost.
+   */
+  vertex?: number | null;
+  /**
+   * All its vertices, where there are several.
+   */
+  vertices?: number[];
+}
+/**
+ * Why a search has found nothing, and what was tried after it.
+ */
+export interface UnfoundReport {
+  /**
+   * Whether a person has ended the search or these trials: there may be changes that were not tried.
+   */
+  ended: boolean;
+  /**
+   * Whether every walk of one wire was tried.
+   */
+  exhausted: boolean;
+  /**
+   * The changes that were tried and help, one of a kind at most.
+   */
+  helps: HelpReport[];
+  /**
+   * What was in the way there; null where it did not begin.
+   */
+  obstacle: ObstacleName | null;
+  /**
+   * How many there are.
+   */
+  of: number | null;
+  /**
+   * How many edges were passed where it came farthest, counted as often as they are to be passed; null where it did not begin.
+   */
+  passed: number | null;
+  /**
+   * How many steps it has checked; 0 where it did not begin.
+   */
+  steps_checked: number;
+  /**
+   * The kinds of changes that were tried until one helped, or to the end.
+   */
+  tried: ChangeName[];
+}
+/**
+ * The way of a wire along the edges: it is cut at its first and its last vertex.
+ */
+export interface WalkReport {
+  /**
+   * In their order.
+   */
+  edges: number[];
+  /**
+   * The vertex where it begins.
+   */
+  from: number;
+  /**
+   * The vertex where it ends.
+   */
+  to: number;
+}
+/**
+ * What a fix would change in the drawing. Positions in mm.
+ */
+export interface FixPreview {
+  /**
+   * Edges that would be detached from the others, or bent from further wires.
+   */
+  detached: number[][];
+  /**
+   * Edges that would be laid twice.
+   */
+  doubled: number[];
+  /**
+   * Edges that would go.
+   */
+  gone_edges: number[];
+  /**
+   * Vertices at their new places.
+   */
+  moved: Moved[];
+  /**
+   * Lines that would be new.
+   */
+  new_edges: [[number, number, number], [number, number, number]][];
+}
+/**
+ * A vertex that is being dragged, and where it is.
+ */
+export interface Moved {
+  /**
+   * @minItems 3
+   * @maxItems 3
+   */
+  at_mm: [number, number, number];
+  vertex: number;
+}
+/**
+ * A change that helps, as an edit.
+ */
+export interface HelpFix {
+  fix: Fix;
+  help: HelpReport;
+}
+/**
  * The wire that moves by hand have bent.
  */
 export interface ByHandResponse {
@@ -3068,69 +3519,6 @@ export interface LiveCheck {
   wires: WireFigures[];
 }
 /**
- * A finding: what is wrong or worth knowing.
- */
-export interface DiagnosticReport {
-  /**
-   * The body of the machine that the wire hits, as its profile calls it.
-   */
-  body?: string | null;
-  code: DiagnosticCode;
-  /**
-   * The edge that it is about foremost.
-   */
-  edge?: number | null;
-  /**
-   * All its edges, where there are several.
-   */
-  edges?: number[];
-  /**
-   * What to do: the remedies in words.
-   */
-  help: string;
-  /**
-   * The limit, in `unit`.
-   */
-  limit?: number | null;
-  /**
-   * Why the limit is what it is, where its profile or driver says so: `limit_source` without what it stands in.
-   */
-  limit_reason?: string | null;
-  /**
-   * Where the limit comes from.
-   */
-  limit_source?: string | null;
-  /**
-   * What it says, with its figures: a sentence without a full stop.
-   */
-  message: string;
-  /**
-   * What can be done about it, the most promising first.
-   */
-  remedies?: RemedyReport[];
-  severity: SeverityName;
-  /**
-   * The step of the program, counted from 0.
-   */
-  step?: number | null;
-  /**
-   * The unit of value and limit: `mm`, `deg`, `mpa`, or none for a count and for a share.
-   */
-  unit?: string | null;
-  /**
-   * What was measured, in `unit`.
-   */
-  value?: number | null;
-  /**
-   * The vertex that it is about foremost.
-   */
-  vertex?: number | null;
-  /**
-   * All its vertices, where there are several.
-   */
-  vertices?: number[];
-}
-/**
  * What the status bar shows of a wire.
  */
 export interface WireFigures {
@@ -3322,23 +3710,6 @@ export interface PartView {
   look: Look;
 }
 /**
- * What it is called, its colour, and whether it is hidden. None of it changes what is bent.
- */
-export interface Look {
-  /**
-   * Absent for the usual one.
-   */
-  colour?: Colour | null;
-  /**
-   * Whether it is left out of the view.
-   */
-  hidden?: boolean;
-  /**
-   * Empty where nobody has named it.
-   */
-  name?: string;
-}
-/**
  * Where the machine waits for a person.
  */
 export interface PauseView {
@@ -3369,29 +3740,6 @@ export interface StencilView {
   surface: SurfaceView | null;
 }
 /**
- * How a stencil lies in the design. It is scaled and turned about the middle of its box, and that is moved.
- */
-export interface Placement {
-  /**
-   * How much larger than in its file it is.
-   */
-  scale: number;
-  /**
-   * How far it is moved along x, y and z, mm.
-   *
-   * @minItems 3
-   * @maxItems 3
-   */
-  shift_mm: [number, number, number];
-  /**
-   * How far it is turned about the x axis, then about the y axis, then about the z axis of the design, degrees.
-   *
-   * @minItems 3
-   * @maxItems 3
-   */
-  turn_deg: [number, number, number];
-}
-/**
  * A surface, in its own frame.
  */
 export interface SurfaceView {
@@ -3418,19 +3766,6 @@ export interface SurfaceView {
    */
   size_mm: [number, number, number];
 }
-/**
- * The way of one wire along the edges.
- */
-export interface ChosenWalk {
-  /**
-   * The edges in the order in which it runs along them.
-   */
-  edges: number[];
-  /**
-   * The vertex where it starts.
-   */
-  start: number;
-}
 export interface VertexView {
   /**
    * Where it is, mm, right-handed.
@@ -3448,16 +3783,6 @@ export interface VertexView {
    * Whether the design holds it fixed.
    */
   support: boolean;
-}
-/**
- * What holds struts together at a vertex.
- */
-export interface Joint {
-  kind: JointKind;
-  /**
-   * What it weighs, in g.
-   */
-  mass_g: number;
 }
 /**
  * A file that was open.
@@ -3875,6 +4200,10 @@ export interface WireDiagnostic {
    * What can be done about it, the most promising first.
    */
   remedies?: RemedyReport[];
+  /**
+   * Of a search that has found no program without a collision: what was in its way, and what helps.
+   */
+  search?: UnfoundReport | null;
   severity: SeverityName;
   /**
    * The step of the program, counted from 0.
@@ -4236,179 +4565,6 @@ export interface FixAll {
    * How many there are now.
    */
   of: number;
-}
-/**
- * Something that fixes what a check says. Lengths in mm.
- */
-export interface Fix {
-  after: FixTotals;
-  change: FixChange;
-  edit: EditRequest;
-  /**
-   * How many errors there are afterwards.
-   */
-  errors_after: number;
-  /**
-   * Whether the machine can make the design afterwards.
-   */
-  feasible_after: boolean;
-  mends: DiagnosticReport;
-  preview: FixPreview;
-  /**
-   * For a button: "Run the wire along 13 edges twice (+102.0 mm)", "Move vertex 41 by 3.2 mm".
-   */
-  title: string;
-}
-/**
- * Sums over all wires of the design afterwards. Null where one of them is not known.
- */
-export interface FixTotals {
-  /**
-   * How many things they meet while they are bent; null where that was not looked for.
-   */
-  collisions: number | null;
-  /**
-   * Price of the designed length.
-   */
-  cost: number | null;
-  /**
-   * Designed length, mm.
-   */
-  length_mm: number | null;
-  /**
-   * Stock to load, mm.
-   */
-  stock_mm: number | null;
-  /**
-   * Time on the machine, s.
-   */
-  time_s: number | null;
-  /**
-   * How many wires there are.
-   */
-  wires: number;
-}
-/**
- * Sums over all wires of the design afterwards, less those of before. Null where one of them is not known, as
- * without a route.
- */
-export interface FixChange {
-  /**
-   * Price of the designed length.
-   */
-  cost: number | null;
-  /**
-   * Of the cost.
-   */
-  currency: string | null;
-  /**
-   * Errors. A wire that had no route was not checked for bends: its errors show once it has one.
-   */
-  errors: number;
-  /**
-   * Designed length, mm.
-   */
-  length_mm: number | null;
-  /**
-   * Stock to load, mm.
-   */
-  stock_mm: number | null;
-  /**
-   * Time on the machine, s.
-   */
-  time_s: number | null;
-  warnings: number;
-}
-/**
- * A vertex of a piece.
- */
-export interface PastedVertex {
-  /**
-   * @minItems 3
-   * @maxItems 3
-   */
-  at_mm: [number, number, number];
-  /**
-   * What holds the struts together there.
-   */
-  joint?: Joint | null;
-  /**
-   * Whether the design holds it fixed.
-   */
-  support: boolean;
-}
-/**
- * A vertex and where it goes.
- */
-export interface Placed {
-  /**
-   * @minItems 3
-   * @maxItems 3
-   */
-  at_mm: [number, number, number];
-  vertex: number;
-}
-/**
- * A plane that is none of the axes. What lies on it is given along its first axis, along its second, and off it, from where it was put.
- */
-export interface OwnPlane {
-  /**
-   * Where it was put.
-   *
-   * @minItems 3
-   * @maxItems 3
-   */
-  origin_mm: [number, number, number];
-  /**
-   * Its first axis, of any length.
-   *
-   * @minItems 3
-   * @maxItems 3
-   */
-  u: [number, number, number];
-  /**
-   * Its second: of what it has across the first, the direction counts.
-   *
-   * @minItems 3
-   * @maxItems 3
-   */
-  v: [number, number, number];
-}
-/**
- * What a fix would change in the drawing. Positions in mm.
- */
-export interface FixPreview {
-  /**
-   * Edges that would be detached from the others, or bent from further wires.
-   */
-  detached: number[][];
-  /**
-   * Edges that would be laid twice.
-   */
-  doubled: number[];
-  /**
-   * Edges that would go.
-   */
-  gone_edges: number[];
-  /**
-   * Vertices at their new places.
-   */
-  moved: Moved[];
-  /**
-   * Lines that would be new.
-   */
-  new_edges: [[number, number, number], [number, number, number]][];
-}
-/**
- * A vertex that is being dragged, and where it is.
- */
-export interface Moved {
-  /**
-   * @minItems 3
-   * @maxItems 3
-   */
-  at_mm: [number, number, number];
-  vertex: number;
 }
 /**
  * What would fix what the checks say.
@@ -5408,6 +5564,10 @@ export interface SimulatedContact {
    * Which of the wires the finding is of, from 0.
    */
   run: number;
+  /**
+   * Of a search that has found no program without a collision: what was in its way, and what helps.
+   */
+  search?: UnfoundReport | null;
   severity: SeverityName;
   /**
    * The step of the program, counted from 0.
@@ -6202,6 +6362,10 @@ export interface SequenceJoint {
 export interface LengthsShown {
   unit: ShownUnit;
 }
+/**
+ * No search goes on any more.
+ */
+export interface AvoidingStopped {}
 /**
  * Nothing is looked for any more.
  */

@@ -1,5 +1,6 @@
 //! The check of the open design for collisions: beside the other checks, and given up as soon as a later one is asked for.
 
+use std::cell::Cell;
 use std::time::{Duration, Instant};
 
 use schemars::JsonSchema;
@@ -7,7 +8,8 @@ use serde::{Deserialize, Serialize};
 use wirebend_planning::collisions::Collisions;
 
 use super::Workspace;
-use crate::{ApiError, Moved, Progress};
+use super::latest::Search;
+use crate::{ApiError, AvoidedCollisions, Moved, Progress, SearchSettings};
 
 /// What is over sooner is not reported as work.
 const QUICK: Duration = Duration::from_millis(300);
@@ -29,6 +31,22 @@ pub struct StopCollisions {}
 /// Nothing is looked for any more.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct CollisionsStopped {}
+
+/// Searches for wires of the design that hit nothing. A search that is under way is ended.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct AvoidCollisions {
+    /// How.
+    #[serde(default)]
+    pub settings: SearchSettings,
+}
+
+/// Ends the search for wires that hit nothing: it answers with the best that it has.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct StopAvoiding {}
+
+/// No search goes on any more.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct AvoidingStopped {}
 
 impl Workspace {
     pub(crate) fn collisions(
@@ -55,5 +73,26 @@ impl Workspace {
     ) -> Result<CollisionsStopped, ApiError> {
         self.collision_checks.begin();
         Ok(CollisionsStopped {})
+    }
+
+    pub(crate) fn avoid_collisions(
+        &self,
+        asked: &AvoidCollisions,
+        progress: &dyn Progress,
+    ) -> Result<AvoidedCollisions, ApiError> {
+        let searches = &self.clear_searches;
+        let search = Search { progress, searches, own: searches.begin(), next: Cell::default() };
+        let app = self.installation();
+        let found = self.open().fix_search(&app)?;
+        Ok(found.avoid_collisions(&app, &asked.settings, &search)?)
+    }
+
+    pub(crate) fn stop_avoiding(
+        &self,
+        _: &StopAvoiding,
+        _: &dyn Progress,
+    ) -> Result<AvoidingStopped, ApiError> {
+        self.clear_searches.begin();
+        Ok(AvoidingStopped {})
     }
 }

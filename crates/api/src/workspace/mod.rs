@@ -38,7 +38,9 @@ use wirebend_files::document::DocumentError;
 use crate::{ApiError, Editor, Installation, Operator, OperatorEvent, Places};
 pub use about::{AboutRequest, AboutResponse};
 pub use calibrations::ApplyCalibration;
-pub use collisions::{CheckCollisions, CollisionsStopped, StopCollisions};
+pub use collisions::{
+    AvoidCollisions, AvoidingStopped, CheckCollisions, CollisionsStopped, StopAvoiding, StopCollisions,
+};
 pub use design::{
     CheckDesign, ClearRecent, CloseDesign, DesignOpened, DiscardUnsaved, EditDesign, EditMade, FixAllRequest,
     FixAllResponse, FixesRequest, FixesResponse, NewDesign, OpenDesign, OpenExample, OutcomeRequest,
@@ -116,6 +118,7 @@ pub struct Workspace {
     operator: Mutex<Option<Arc<Operator>>>,
     events: Arc<dyn EventSink>,
     collision_checks: Latest,
+    clear_searches: Latest,
     fix_all_searches: LatestByCode,
     predictions: Latest,
     sequence_searches: Latest,
@@ -139,6 +142,7 @@ impl Workspace {
             operator,
             events,
             collision_checks: Latest::default(),
+            clear_searches: Latest::default(),
             fix_all_searches: LatestByCode::default(),
             predictions: Latest::default(),
             sequence_searches: Latest::default(),
@@ -168,6 +172,7 @@ impl Workspace {
     /// The program ends: what moves is stopped, and the port closed. What no file has is offered at the next start.
     pub fn leave(&self) {
         self.collision_checks.begin();
+        self.clear_searches.begin();
         self.fix_all_searches.stop();
         self.predictions.begin();
         self.sequence_searches.begin();

@@ -81,7 +81,7 @@ fn table(out: &mut impl Write, found: &CompareResponse) -> std::io::Result<()> {
 }
 
 /// How many things the wire hits there, and whether that rests on estimates.
-fn collisions(side: &MachineSide) -> String {
+pub(super) fn collisions(side: &MachineSide) -> String {
     match side.collisions {
         None => "not checked".to_owned(),
         Some(CollisionCount { hits: 0, .. }) => "none".to_owned(),

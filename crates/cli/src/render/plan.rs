@@ -29,7 +29,18 @@ pub(super) fn plan(out: &mut impl Write, found: &PlanResponse) -> std::io::Resul
         // A job holds what is sent to the machine, which a bend beyond its reach has not.
         let despite = wires.iter().all(|wire| wire.compensated.is_some());
         let or = if despite { ", or go on anyway with --despite-errors" } else { "" };
-        writeln!(out, "no job was written: fix the errors above{or}")?;
+        let said = |diagnostic: &&DiagnosticReport| diagnostic.severity == SeverityName::Error;
+        let is_search = |diagnostic: &DiagnosticReport| diagnostic.code == DiagnosticCode::NoClearProgram;
+        let of_wires = wires.iter().flat_map(|wire| &wire.diagnostics);
+        let mut errors = found.report.diagnostics().iter().chain(of_wires).filter(said);
+        if errors.all(is_search) {
+            writeln!(
+                out,
+                "no job was written: none without a collision was found; do what is said above{or}"
+            )?;
+        } else {
+            writeln!(out, "no job was written: fix the errors above{or}")?;
+        }
     }
     written(out, found.output.iter())
 }

@@ -146,22 +146,78 @@ fn a_program_without_collisions_is_searched_for_and_written() {
     }
 }
 
+/// A script that takes what is written would bend what hits something.
 #[test]
-fn a_search_without_success_says_what_is_in_the_way() {
-    let search =
-        ["plan", &example("cup-holder.obj"), "-m", "wirebend-kit", "--avoid-collisions", "--wires", "1"];
-    let said = run(&search).ended(0);
-    assert!(said.err.contains("warning[no_clear_program]"), "{}", said.err);
-    assert!(said.err.contains("every walk of one wire was tried"), "{}", said.err);
+fn a_search_without_success_says_what_is_in_the_way_and_writes_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let job = folder.path().join("cup.wbjob");
+    let cup = example("cup-holder.obj");
+    let plan = |more: &[&str]| {
+        let search = ["plan", &cup, "-m", "wirebend-kit", "--avoid-collisions", "-o", job.to_str().unwrap()];
+        run(&[&search[..], more].concat())
+    };
+    let said = plan(&["--wires", "1"]).ended(4).err;
+    assert!(said.contains("error[no_clear_program]"), "{said}");
+    assert!(said.contains("every walk of one wire was tried"), "{said}");
     // It was searched for, so that it is not proposed again.
-    assert!(!said.err.contains("--avoid-collisions"), "{}", said.err);
-    let wires =
-        run(&["plan", &example("cup-holder.obj"), "-m", "wirebend-kit", "--avoid-collisions", "--json"]);
-    let wires = wires.ended(0).json();
-    let wires = wires["wires"].as_array().unwrap();
-    assert_eq!(wires.len(), 2);
-    // Both were found by one search: told twice it would be taken for two.
-    assert_eq!((&wires[0]["search"]["found"], wires[1].get("search")), (&true.into(), None));
+    assert!(!said.contains("--avoid-collisions"), "{said}");
+    assert!(said.contains("no job was written: none without a collision was found"), "{said}");
+    assert!(!job.exists());
+    let json = plan(&["--wires", "1", "--json"]).ended(4).json();
+    assert_eq!((&json["withheld"], &json["feasible"]), (&true.into(), &false.into()));
+    // What helps is said as facts, too, and each help with the walks that it was tried with.
+    let found = json["diagnostics"].as_array().unwrap().iter().find(|one| one["code"] == "no_clear_program");
+    let found = &found.unwrap();
+    let search = &found["search"];
+    assert_eq!(
+        (&search["obstacle"], &search["passed"], &search["of"]),
+        (&"body".into(), &11.into(), &11.into())
+    );
+    assert_eq!((&search["ended"], &search["exhausted"]), (&false.into(), &true.into()));
+    let helps = search["helps"].as_array().unwrap();
+    let wires = helps.iter().find(|help| help["help"] == "more-wires").unwrap()["walks"].as_array().unwrap();
+    let ends: Vec<String> =
+        wires.iter().map(|walk| format!("from vertex {} to vertex {}", walk["from"], walk["to"])).collect();
+    assert_eq!(ends.len(), 2);
+    let words = format!("2 wires hit nothing, {}", ends.join(", "));
+    assert!(found["message"].as_str().unwrap().contains(&words), "{found}");
+    // Who has read it may have it, and the job says with what.
+    let despite = plan(&["--wires", "1", "--despite-errors"]).ended(4).err;
+    assert!(despite.contains("wrote") && job.exists(), "{despite}");
+
+    // So many wires are allowed, whether or not they save something that is doubled.
+    for wires in [&["--wires", "2"][..], &[]] {
+        let wires = plan(&[wires, &["--json", "--force"]].concat()).ended(0).json();
+        let wires = wires["wires"].as_array().unwrap();
+        assert_eq!(wires.len(), 2);
+        // Both were found by one search: told twice it would be taken for two.
+        assert_eq!((&wires[0]["search"]["found"], wires[1].get("search")), (&true.into(), None));
+    }
+}
+
+/// Who compares numbers of wires sees with which of them nothing is hit, and why a number has no row.
+#[test]
+fn a_table_of_wires_says_which_hit_nothing_and_which_have_no_row() {
+    let table = |more: &[&str]| {
+        run(&[&["plan", &example("cup-holder.obj"), "-m", "wirebend-kit"], more].concat()).ended(0)
+    };
+    let search = ["--avoid-collisions", "--wires", "1..4"];
+    let said = table(&search).err;
+    let lines: Vec<&str> = said.lines().filter(|line| !line.starts_with("note: ")).collect();
+    assert!(lines[0].ends_with("collisions    program without"), "{said}");
+    assert!(lines[1].starts_with("1 ") && lines[1].ends_with("1, estimated  not found"), "{said}");
+    assert!(lines[2].starts_with("2 ") && lines[2].ends_with("none          found"), "{said}");
+    assert_eq!(lines[3], "3 to 4 wires: no row, 2 are enough for a program without collisions");
+    let json = table(&[&search[..], &["--json"]].concat()).json();
+    assert_eq!(
+        json["left_out"],
+        serde_json::json!([{"from": 3, "to": 4, "reason": "not-needed", "enough": 2}])
+    );
+    let found: Vec<_> = json["rows"].as_array().unwrap().iter().map(|row| &row["search"]["found"]).collect();
+    assert_eq!(found, [false, true]);
+    let plain = table(&["--wires", "1..4"]).err;
+    assert!(!plain.contains("collisions"), "{plain}");
+    assert!(plain.ends_with("2 to 4 wires: no row, 1 is enough, more save no doubled length\n"), "{plain}");
 }
 
 /// Who sets weights, or none, reads by what the program was chosen.

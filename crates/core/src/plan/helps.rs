@@ -3,9 +3,9 @@
 use nalgebra::{Point3, Vector3};
 
 use super::PlanObserver;
-use super::searching::Searching;
+use super::searching::{Doubled, Searching};
 use crate::route::Route;
-use crate::search::{Helps, MovedVertex, SearchOptions};
+use crate::search::{Change, ChangeKind, Help, Helps, MovedVertex, SearchOptions};
 use crate::units::Length;
 use crate::wireframe::{EdgeId, Edit, VertexId, Wireframe};
 
@@ -13,11 +13,44 @@ use crate::wireframe::{EdgeId, Edit, VertexId, Wireframe};
 const DISTANCES: [f64; 5] = [1.0, 2.0, 5.0, 10.0, 20.0];
 /// So many vertices are moved at most, one at a time.
 const MOVED: usize = 8;
+/// So many edges are run along twice at most, one at a time: together they have as much of the effort as the search.
+const DOUBLED: usize = 40;
 /// So many times as many wires are tried.
 const TIMES_AS_MANY: usize = 4;
-/// So much of the effort each trial of a move has, and the trial of more wires. All moves together have as much as the search.
-const SHARE_OF_MOVE: u64 = 40;
+/// So much of the effort each trial of a move or of an edge has, and the trial of more wires.
+const SHARE_OF_ONE: u64 = 40;
 const SHARE_OF_WIRES: u64 = 4;
+
+/// Looks with one change after the other until a person has had enough.
+struct Trials<'a, O> {
+    routes: &'a [Route],
+    observer: &'a mut O,
+    /// How many steps were checked, and how many may be.
+    looked: u64,
+    of: u64,
+    ended: bool,
+}
+
+impl<O: PlanObserver> Trials<'_, O> {
+    /// The walks that meet nothing, if some are found.
+    fn look(
+        &mut self,
+        searching: &Searching,
+        doubled: Doubled,
+        options: &SearchOptions,
+    ) -> Option<Vec<Route>> {
+        if self.ended {
+            return None;
+        }
+        let (before, of, observer, ended) = (self.looked, self.of, &mut *self.observer, &mut self.ended);
+        let found = searching.look(self.routes, doubled, options, |checks| {
+            *ended |= !observer.trying((before + checks).min(of), of);
+            !*ended
+        })?;
+        self.looked += found.checks;
+        found.is_clear.then(|| found.best.wires.into_iter().map(|wire| wire.route).collect())
+    }
+}
 
 impl Searching<'_> {
     /// What helps where nothing was found, by trying. `obstacle`: the vertex whose bend was in the way.
@@ -35,34 +68,64 @@ impl Searching<'_> {
             ..options.clone()
         };
         let few = SearchOptions {
-            effort: (options.effort / SHARE_OF_MOVE).max(1),
+            effort: (options.effort / SHARE_OF_ONE).max(1),
             max_wires: most.min(routes.len().max(1)),
             ..options.clone()
         };
+        let as_it_is = Doubled { edges: doubled, is_free: self.is_free() };
         let may_be_more = !self.options.closed && most < SearchOptions::default().max_wires;
+        let twice = self.once_more(doubled, few.max_wires);
         let near = obstacle.map(|obstacle| self.near(obstacle)).unwrap_or_default();
         let moves: Vec<MovedVertex> = DISTANCES
             .into_iter()
             .flat_map(|by| near.iter().flat_map(move |&vertex| moves(self.wireframe, vertex, by)))
             .collect();
         let of_wires = if may_be_more { more.most_checks() } else { 0 };
-        let of = of_wires.saturating_add(options.effort);
-        let mut looked = 0;
-        let mut tried = |searching: &Searching, options: &SearchOptions| -> Option<usize> {
-            let before = looked;
-            let found =
-                searching.look((routes, doubled), options, |checks| observer.trying(before + checks, of))?;
-            looked += found.checks;
-            found.is_clear.then_some(found.best.wires.len())
+        let of_each = few.most_checks().saturating_mul((twice.len() + moves.len()) as u64);
+        let of = of_wires.saturating_add(of_each);
+        let mut trials = Trials { routes, observer, looked: 0, of, ended: false };
+        let mut helps = Helps::default();
+
+        if may_be_more {
+            let found = trials.look(self, as_it_is, &more);
+            helps.take(ChangeKind::MoreWires, found.map(|routes| (Change::MoreWires, routes)), trials.ended);
+        }
+        if !twice.is_empty() {
+            let found = twice.into_iter().find_map(|edge| {
+                let edges: Vec<EdgeId> = doubled.iter().copied().chain([edge]).collect();
+                let routes = trials.look(self, Doubled { edges: &edges, is_free: false }, &few)?;
+                let added = self.wireframe.edge_length(edge);
+                Some((Change::Doubled { edges: vec![edge], added }, routes))
+            });
+            helps.take(ChangeKind::Doubled, found, trials.ended);
+        }
+        if !moves.is_empty() {
+            let found = moves.into_iter().find_map(|moved| {
+                let place = Edit::Place { vertex: moved.vertex, position: moved.to };
+                let mut wireframe = self.wireframe.clone();
+                wireframe.commit(&place.resolve(self.wireframe).ok()?).ok()?;
+                let elsewhere = Searching { wireframe: &wireframe, ..*self };
+                Some((Change::Moved(moved), trials.look(&elsewhere, as_it_is, &few)?))
+            });
+            helps.take(ChangeKind::Moved, found, trials.ended);
+        }
+        helps.ended = trials.ended;
+        helps
+    }
+
+    /// Edges that can be run along once more than those that are, the shortest first: so many wires pass all of them then.
+    fn once_more(&self, doubled: &[EdgeId], wires: usize) -> Vec<EdgeId> {
+        let ends = if self.options.closed { 0 } else { 2 * wires };
+        let can_be = |edge: &EdgeId| {
+            let all: Vec<EdgeId> = doubled.iter().copied().chain([*edge]).collect();
+            !doubled.contains(edge) && self.wireframe.odd_vertices(self.component, &all).len() <= ends
         };
-        let wires = if may_be_more { tried(self, &more) } else { None };
-        let moved = moves.into_iter().find(|moved| {
-            let place = Edit::Place { vertex: moved.vertex, position: moved.to };
-            let mut wireframe = self.wireframe.clone();
-            let is_moved = place.resolve(self.wireframe).is_ok_and(|delta| wireframe.commit(&delta).is_ok());
-            is_moved && tried(&Searching { wireframe: &wireframe, ..*self }, &few).is_some()
+        let mut edges: Vec<EdgeId> = self.component.edges.iter().copied().filter(can_be).collect();
+        edges.sort_by(|&one, &other| {
+            self.wireframe.edge_length(one).mm().total_cmp(&self.wireframe.edge_length(other).mm())
         });
-        Helps { wires, moved }
+        edges.truncate(DOUBLED);
+        edges
     }
 
     /// A vertex and those of its part of the design that are nearest to it, in the order of their distance.
@@ -74,6 +137,16 @@ impl Searching<'_> {
         near.sort_by(|one, other| far(one).total_cmp(&far(other)));
         near.truncate(MOVED);
         near
+    }
+}
+
+impl Helps {
+    /// Notes what came of the trials of a kind; of those that a person has ended that nothing was found says nothing.
+    fn take(&mut self, kind: ChangeKind, found: Option<(Change, Vec<Route>)>, ended: bool) {
+        if found.is_some() || !ended {
+            self.tried.push(kind);
+        }
+        self.found.extend(found.map(|(change, routes)| Help { change, routes }));
     }
 }
 

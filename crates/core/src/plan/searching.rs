@@ -26,6 +26,14 @@ pub(super) struct Searching<'a> {
     pub options: &'a PlanOptions,
 }
 
+/// Which edges are run along once more.
+#[derive(Clone, Copy)]
+pub(super) struct Doubled<'a> {
+    pub edges: &'a [EdgeId],
+    /// Whether they may be others.
+    pub is_free: bool,
+}
+
 /// Wires instead of the first ones.
 pub(super) struct SearchedWires {
     pub wires: Vec<FoundWire>,
@@ -45,14 +53,18 @@ impl Searching<'_> {
         let wanted = options.search.as_ref().filter(|_| !routes.is_empty() && forced.is_empty())?;
         let most = if options.closed { wanted.effort } else { wanted.most_checks() };
         let mut ended = false;
-        let outcome = self.look((routes, doubled), wanted, |checks| {
+        let task = Doubled { edges: doubled, is_free: self.is_free() };
+        let outcome = self.look(routes, task, wanted, |checks| {
             ended |= !observer.searching(checks, most);
             !ended
         })?;
         let keeps_walks = !options.settled.is_empty();
         let vertex = outcome.obstruction.and_then(|obstruction| obstruction.vertex);
-        let is_helpless = outcome.is_clear || keeps_walks || ended;
-        let helps = (!is_helpless).then(|| self.helps((routes, doubled), vertex, wanted, observer));
+        let helps = match (outcome.is_clear || keeps_walks, ended) {
+            (true, _) => Helps::default(),
+            (false, true) => Helps { ended, ..Helps::default() },
+            (false, false) => self.helps((routes, doubled), vertex, wanted, observer),
+        };
         let searched = Searched {
             found: outcome.is_clear,
             checks: outcome.checks,
@@ -61,13 +73,19 @@ impl Searching<'_> {
             ended,
             objective: wanted.objective,
         };
-        Some(SearchedWires { wires: outcome.best.wires, searched, helps: helps.unwrap_or_default() })
+        Some(SearchedWires { wires: outcome.best.wires, searched, helps })
+    }
+
+    /// Whether other edges may be doubled than those that are: detours are around bends that no other doubling avoids.
+    pub(super) fn is_free(&self) -> bool {
+        self.options.doubling == DoublingChoice::Cheapest && !self.options.detours
     }
 
     /// A search with options of its own.
     pub(super) fn look(
         &self,
-        (routes, doubled): (&[Route], &[EdgeId]),
+        routes: &[Route],
+        doubled: Doubled,
         wanted: &SearchOptions,
         should_continue: impl FnMut(u64) -> bool,
     ) -> Option<SearchOutcome> {
@@ -77,11 +95,9 @@ impl Searching<'_> {
         let anyway = routes.iter().flat_map(|route| errors(&self.planned(route, None, false))).collect();
         let accepts = |route: &Route, scheduled: &ScheduledProgram| self.accepts(route, scheduled, &anyway);
         let bender = self.bender(&seconds, &accepts);
-        // Detours are around bends that no other doubling avoids.
-        let is_free = options.doubling == DoublingChoice::Cheapest && !options.detours;
         let task = SearchTask {
             routes,
-            doubled: (!is_free).then_some(doubled),
+            doubled: (!doubled.is_free).then_some(doubled.edges),
             start: options.start,
             closed: options.closed,
             keep_routes: !options.settled.is_empty(),
@@ -151,7 +167,7 @@ impl Searching<'_> {
     pub fn not_searched(&self, forced: &[ForcedBend]) -> Option<Diagnostic> {
         let is_wanted = self.options.search.is_some() && !forced.is_empty();
         is_wanted.then(|| Diagnostic {
-            severity: Severity::Warning,
+            severity: Severity::Error,
             location: Location::at_vertices(forced.iter().map(|bend| bend.vertex)),
             fact: Fact::NoClearProgram {
                 checks: 0,
@@ -183,7 +199,7 @@ impl Searching<'_> {
         let more = (!keeps_walk && !self.options.closed).then_some(Remedy::AllowWires);
         let further = [Remedy::MoveApart, Remedy::ChooseMachine];
         Some(Diagnostic {
-            severity: Severity::Warning,
+            severity: Severity::Error,
             location: Location::at_vertices(obstruction.and_then(|obstruction| obstruction.vertex)),
             fact: Fact::NoClearProgram {
                 checks,

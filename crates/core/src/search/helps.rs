@@ -2,16 +2,67 @@
 
 use nalgebra::Point3;
 
+use crate::route::Route;
 use crate::units::Length;
-use crate::wireframe::VertexId;
+use crate::wireframe::{EdgeId, VertexId};
 
-/// What helps.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+/// What was tried after a search that has found nothing, and what of it helps.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Helps {
-    /// So many wires, more than were allowed.
-    pub wires: Option<usize>,
+    /// One of a kind at most.
+    pub found: Vec<Help>,
+    /// The kinds that were tried until one helped, or to the end.
+    pub tried: Vec<ChangeKind>,
+    /// Whether a person has ended the search or these trials: there may be kinds that were not tried, or not to the end.
+    pub ended: bool,
+}
+
+/// A change that helps, and the walks that meet nothing then.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Help {
+    /// What is changed.
+    pub change: Change,
+    /// One a wire.
+    pub routes: Vec<Route>,
+}
+
+/// What is changed.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Change {
+    /// As many wires as there are walks, more than were allowed.
+    MoreWires,
+    /// Edges are run along once more than before.
+    Doubled {
+        /// Which.
+        edges: Vec<EdgeId>,
+        /// What they add to the wire.
+        added: Length,
+    },
+    /// A vertex lies elsewhere.
+    Moved(MovedVertex),
+}
+
+/// The same without its figures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ChangeKind {
+    /// More wires than were allowed.
+    MoreWires,
+    /// An edge that is run along twice.
+    Doubled,
     /// A vertex that lies elsewhere.
-    pub moved: Option<MovedVertex>,
+    Moved,
+}
+
+impl Change {
+    /// Its kind.
+    #[must_use]
+    pub const fn kind(&self) -> ChangeKind {
+        match self {
+            Self::MoreWires => ChangeKind::MoreWires,
+            Self::Doubled { .. } => ChangeKind::Doubled,
+            Self::Moved(_) => ChangeKind::Moved,
+        }
+    }
 }
 
 /// A vertex that is moved.

@@ -19,7 +19,7 @@ use crate::schedule::{HeadLimits, ScheduledProgram};
 use crate::units::Angle;
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 use heads::Orientation;
-pub use helps::{Helps, MovedVertex};
+pub use helps::{Change, ChangeKind, Help, Helps, MovedVertex};
 pub use objective::{Objective, Weights};
 use rounds::Search;
 pub(crate) use wire::bend_route;

@@ -136,7 +136,14 @@ fn further_wires_are_used_where_one_cannot_be() {
         &options(SearchOptions { max_wires: 1, effort: 800, ..SearchOptions::default() }),
     );
     assert!(!one[0].searched.unwrap().found);
-    assert_eq!(helps(&one).wires, Some(2), "two were tried");
+    let said = helps(&one);
+    let more = said.found.iter().find(|help| help.change == Change::MoreWires).expect("two were tried");
+    // Where the wire is to be cut: each begins and ends at a vertex, and together they pass every edge once.
+    let mut passed: Vec<EdgeId> =
+        more.routes.iter().flat_map(|route| &route.traversals).map(|one| one.edge).collect();
+    passed.sort_unstable();
+    assert_eq!((more.routes.len(), passed), (2, comb.edges().map(|(id, _)| id).collect()));
+    assert!(!said.ended && said.tried.contains(&ChangeKind::Moved), "{said:?}");
     let wires = planned(&comb, &machine, &options(SearchOptions::default()));
     assert_eq!(wires.len(), 2);
     for wire in &wires {
@@ -154,7 +161,11 @@ fn the_least_move_that_helps_is_named() {
     let machine = machine(Vec::new());
     let one = options(SearchOptions { max_wires: 1, effort: 800, ..SearchOptions::default() });
     let wires = planned(&hook, &machine, &one);
-    let moved = helps(&wires).moved.expect("a little farther away it can be bent");
+    let moved = helps(&wires).found.into_iter().find_map(|help| match help.change {
+        Change::Moved(moved) => Some(moved),
+        _ => None,
+    });
+    let moved = moved.expect("a little farther away it can be bent");
     assert!(moved.by <= mm(5.0), "{moved:?}");
     let mut elsewhere = hook.clone();
     let place = Edit::Place { vertex: moved.vertex, position: moved.to };
@@ -174,9 +185,62 @@ fn bends_that_no_route_avoids_are_said_to_come_first() {
 
 fn helps(wires: &[WirePlan]) -> Helps {
     let facts = wires.iter().flat_map(|wire| &wire.diagnostics).map(|found| &found.fact);
-    let mut helps = facts
-        .filter_map(|fact| if let Fact::NoClearProgram { helps, .. } = fact { Some(*helps) } else { None });
+    let mut helps = facts.filter_map(|fact| {
+        if let Fact::NoClearProgram { helps, .. } = fact { Some(helps.clone()) } else { None }
+    });
     helps.next().expect("that nothing was found")
+}
+
+/// Two triangles on a common edge, between a wall and a ceiling: from either of the two odd corners every walk hits something. Run along
+/// the common edge twice, the wire may begin at the others.
+#[test]
+fn an_edge_that_helps_when_it_is_run_along_twice_is_named() {
+    let corners = [[40., 40., 0.], [60., 60., 100.], [80., 20., 0.], [20., 60., 60.]];
+    let triangles = wireframe(&corners, &[(1, 0), (2, 0), (3, 0), (3, 1), (3, 2)]);
+    let walls = [
+        body(MovesWith::Frame, [4.0, 400.0, 400.0], [100.0, 0.0, 0.0]),
+        body(MovesWith::Frame, [400.0, 400.0, 4.0], [0.0, 0.0, 100.0]),
+    ];
+    let machine = machine(walls.to_vec());
+    let search = Some(SearchOptions { max_wires: 1, effort: 400, ..SearchOptions::default() });
+    let one = PlanOptions { search, ..PlanOptions::default() };
+    let without = planned(&triangles, &machine, &one);
+    let searched = without[0].searched.unwrap();
+    assert!(!searched.found && searched.exhausted);
+    let said = helps(&without);
+    let twice = said.found.iter().find(|help| help.change.kind() == ChangeKind::Doubled);
+    let Some(Change::Doubled { edges, added }) = twice.map(|help| &help.change) else { panic!("{said:?}") };
+    assert_eq!((&edges[..], *added), (&[EdgeId(2)][..], triangles.edge_length(EdgeId(2))));
+    let with = PlanOptions { doubling: DoublingChoice::Accepted(edges.clone()), ..one };
+    assert!(planned(&triangles, &machine, &with)[0].searched.unwrap().found);
+}
+
+/// Ends the trials of changes after some.
+struct Impatient(usize);
+
+impl PlanObserver for Impatient {
+    fn done(&mut self, _stage: Stage) {}
+
+    fn trying(&mut self, checks: u64, of: u64) -> bool {
+        assert!(checks <= of, "{checks} of {of}");
+        self.0 = self.0.saturating_sub(1);
+        self.0 > 0
+    }
+}
+
+/// Whoever ends the trials, or the search before them, is not told that what was not tried does not help.
+#[test]
+fn what_was_not_tried_is_not_said_to_have_been() {
+    let hook = chain(&[[0., 0., 0.], [100., 0., 0.], [100., 60., 0.], [50., 60., 0.], [50., 1.5, 0.]]);
+    let machine = machine(Vec::new());
+    let one = options(SearchOptions { max_wires: 1, effort: 800, ..SearchOptions::default() });
+    let components = hook.components();
+    let all = helps(&planned(&hook, &machine, &one));
+    assert!(!all.ended && !all.tried.is_empty());
+    let few = helps(&plan_wires(&hook, &components[0], &machine, &one, Impatient(1)));
+    assert!(few.ended && few.found.is_empty() && few.tried.is_empty(), "{few:?}");
+    let none = helps(&plan_wires(&hook, &components[0], &machine, &one, Ended));
+    assert_eq!(none, Helps { ended: true, ..Helps::default() });
 }
 
 /// Ends a search as soon as it is asked.

@@ -4,6 +4,7 @@
 //! offered only what fixes it.
 
 mod all;
+mod avoid;
 mod bends;
 mod cuts;
 mod drawing;
@@ -34,6 +35,7 @@ use super::check::{LiveCheck, WireFigures};
 use super::{EditRequest, Editor};
 use crate::EditorError;
 pub use all::FixAll;
+pub use avoid::{AvoidedCollisions, HelpFix, SearchSettings};
 pub use preview::FixPreview;
 use trials::{Trial, Trials};
 use wirebend_planning::Installation;
@@ -210,16 +212,9 @@ fn fixes(base: &Trial, trials: &mut Trials, wanted: fn(Code) -> bool) -> Vec<Fix
         .flat_map(|(k, some)| some.into_iter().take(taken(k, each)).map(move |one| (k, one)));
     let mut chosen: Vec<(usize, TriedFix)> = ranked.take(MAX_FIXES).collect();
     chosen.sort_by_key(|(k, _)| *k);
-    let made = chosen.into_iter().map(|(k, (candidate, trial))| Fix {
-        mends: base.check.diagnostics[k].clone(),
-        preview: FixPreview::of(trials.document(), &candidate.edit, &trial),
-        title: candidate.title,
-        edit: candidate.edit,
-        change: FixChange::between(base, &trial),
-        after: FixTotals::of(&trial),
-        errors_after: trial.errors(),
-        feasible_after: trial.check.feasible,
-    });
+    let mends = |k: usize| base.check.diagnostics[k].clone();
+    let made =
+        chosen.into_iter().map(|(k, (candidate, trial))| Fix::new(mends(k), candidate, base, trials, &trial));
     made.collect()
 }
 
@@ -329,6 +324,27 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
         | Code::SequenceWrong => {}
     }
     found
+}
+
+impl Fix {
+    fn new(
+        mends: DiagnosticReport,
+        candidate: Candidate,
+        before: &Trial,
+        trials: &Trials,
+        after: &Trial,
+    ) -> Self {
+        Self {
+            mends,
+            preview: FixPreview::of(trials.document(), &candidate.edit, after),
+            title: candidate.title,
+            edit: candidate.edit,
+            change: FixChange::between(before, after),
+            after: FixTotals::of(after),
+            errors_after: after.errors(),
+            feasible_after: after.check.feasible,
+        }
+    }
 }
 
 impl FixTotals {

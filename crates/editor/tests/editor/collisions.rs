@@ -130,6 +130,109 @@ fn an_order_that_hits_nothing_is_a_fix_and_kept_with_the_design() {
     assert_eq!(editor.document(), &before);
 }
 
+fn settings(value: serde_json::Value) -> wirebend_editor::SearchSettings {
+    serde_json::from_value(value).unwrap()
+}
+
+/// How many things the wires hit.
+fn hits(editor: &mut wirebend_editor::Editor) -> usize {
+    let found = editor.collision_check(&app(), &[]).unwrap().run(&mut |_, _| true).unwrap();
+    assert!(found.checked);
+    found.contacts.len()
+}
+
+/// What a search has found to be in its way is told with the changes that were tried, and each is one change that hits nothing.
+#[test]
+fn a_search_without_success_comes_with_what_helps_as_edits() {
+    let mut editor = open("cup-holder.obj");
+    edit(&mut editor, &json!({"edit": "machine", "machine": "wirebend-kit", "material": null}));
+    let now = hits(&mut editor);
+    let search = editor.fix_search(&app()).unwrap();
+    let one = search.avoid_collisions(&app(), &settings(json!({"wires": 1})), &NoProgress).unwrap();
+    assert!(!one.found && !one.ended, "{one:?}");
+    // The best that there is still hits something, and says so.
+    let best = one.best.as_ref().expect("other sides of the bends hit less");
+    assert_eq!(best.title, "Bend in an order that hits less");
+    assert!((1..now).contains(&best.after.collisions.unwrap()), "{best:?}");
+    let [unfound] = &one.unfound[..] else { panic!("{:?}", one.unfound) };
+    assert!(unfound.vertex.is_some() && unfound.body.is_some() && unfound.search.is_some(), "{unfound:?}");
+    let titles: Vec<&str> = one.helps.iter().map(|help| help.fix.title.as_str()).collect();
+    assert_eq!(titles, ["Bend 2 wires that hit nothing", "Move vertex 1 by 1.0 mm"]);
+    let before = editor.document().clone();
+    for help in &one.helps {
+        assert_eq!(help.fix.after.collisions, Some(0));
+        editor.edit(&app(), &help.fix.edit).unwrap();
+        assert_eq!(hits(&mut editor), 0, "{}", help.fix.title);
+        editor.undo().unwrap();
+        assert_eq!(editor.document(), &before, "one change");
+    }
+    // Without a limit it finds the two wires itself.
+    let search = editor.fix_search(&app()).unwrap();
+    let free = search.avoid_collisions(&app(), &settings(json!({})), &NoProgress).unwrap();
+    assert!(free.found && free.unfound.is_empty() && free.helps.is_empty());
+    assert_eq!(free.best.unwrap().title, "Bend 2 wires that hit nothing");
+}
+
+/// Has enough after so many looks.
+struct Impatient(std::cell::Cell<u32>, std::cell::Cell<bool>);
+
+impl wirebend_planning::Progress for Impatient {
+    fn stage(&self, _name: &str) {}
+
+    fn advance(&self, done: u64, of: u64) {
+        assert!(done <= of);
+        self.1.set(true);
+    }
+
+    fn goes_on(&self) -> bool {
+        self.0.set(self.0.get().saturating_sub(1));
+        self.0.get() > 0
+    }
+}
+
+/// Who ends a search keeps what it has found, and is told of nothing that was not tried.
+#[test]
+fn a_search_that_is_ended_keeps_its_best_and_claims_no_more() {
+    let mut editor = open("house.obj");
+    // It finds an order after some steps, and looks for better ones.
+    let mut after = |looks: u32| {
+        let impatient = Impatient(looks.into(), false.into());
+        let search = editor.fix_search(&app()).unwrap();
+        let found = search.avoid_collisions(&app(), &settings(json!({})), &impatient).unwrap();
+        assert!(impatient.1.get(), "it says how far it is");
+        found
+    };
+    assert!(!after(1000).ended, "it comes to an end by itself");
+    let kept = (1..60).rev().map(&mut after).find(|found| found.ended).expect("one look less ends it");
+    let best = kept.best.expect("one was found until then");
+    assert_eq!((kept.found, best.after.collisions), (true, Some(0)));
+
+    edit(&mut editor, &json!({"edit": "reversed", "reversed": true}));
+    let at_once = Impatient(0.into(), false.into());
+    let search = editor.fix_search(&app()).unwrap();
+    let none = search.avoid_collisions(&app(), &settings(json!({})), &at_once).unwrap();
+    assert!(none.ended && !none.found && none.helps.is_empty(), "{none:?}");
+    let now = hits(&mut editor);
+    assert!(none.best.is_none_or(|best| best.after.collisions.unwrap() < now));
+    let [unfound] = &none.unfound[..] else { panic!("{:?}", none.unfound) };
+    let search = unfound.search.as_ref().unwrap();
+    assert!(search.ended && search.tried.is_empty(), "{search:?}");
+    assert!(unfound.message.contains("no change that could help was tried"), "{}", unfound.message);
+}
+
+#[test]
+fn settings_of_a_search_that_make_no_sense_are_refused() {
+    for (wrong, said) in [
+        (json!({"effort": 0}), "the effort of the search"),
+        (json!({"wires": 0}), "the number of wires"),
+        (json!({"weights": {"wire": 0}}), "the sum of the weights"),
+    ] {
+        let search = open("house.obj").fix_search(&app()).unwrap();
+        let refused = search.avoid_collisions(&app(), &settings(wrong), &NoProgress).unwrap_err().to_string();
+        assert!(refused.contains(said) && refused.contains("expected"), "{refused}");
+    }
+}
+
 #[test]
 fn a_walk_of_edges_that_are_not_there_is_refused() {
     let mut editor = open("house.obj");

@@ -147,15 +147,35 @@ pub(super) fn doubling_choice(
     DoublingChoice::Accepted(accepted)
 }
 
-/// How to search, where that is wanted. Where a number of wires is chosen, a part of the design has no more than its share.
-pub(super) fn search_options(choices: &PlanChoices, share: usize) -> Option<SearchOptions> {
-    let usual = SearchOptions::default();
-    choices.avoid_collisions.then(|| SearchOptions {
-        effort: choices.search_effort.map_or(usual.effort, u64::from),
-        seed: choices.search_seed.unwrap_or(usual.seed),
-        objective: choices.search_weights.map_or(Objective::InOrder, Objective::from),
-        max_wires: if choices.wires.is_some() || share > 1 { share } else { usual.max_wires },
-    })
+/// How many wires the search for a part of the design may use: where a number of wires is chosen, the share of the part and those that
+/// no part has any use for otherwise.
+pub(super) struct Allowance {
+    is_chosen: bool,
+    spare: usize,
+}
+
+impl Allowance {
+    pub fn of(choices: &PlanChoices, chosen: &WireChoice, shares: &[Share]) -> Self {
+        let shared: usize = shares.iter().map(|share| share.wires).sum();
+        let is_chosen = choices.wires.is_some() || chosen.wires > 1;
+        Self { is_chosen, spare: chosen.wires.saturating_sub(shared) }
+    }
+
+    /// How to search, where that is wanted.
+    pub fn search(&self, choices: &PlanChoices, share: &Share) -> Option<SearchOptions> {
+        let usual = SearchOptions::default();
+        choices.avoid_collisions.then(|| SearchOptions {
+            effort: choices.search_effort.map_or(usual.effort, u64::from),
+            seed: choices.search_seed.unwrap_or(usual.seed),
+            objective: choices.search_weights.map_or(Objective::InOrder, Objective::from),
+            max_wires: if self.is_chosen { share.wires + self.spare } else { usual.max_wires },
+        })
+    }
+
+    /// So many wires are used for a part.
+    pub fn use_up(&mut self, share: &Share, used: usize) {
+        self.spare = self.spare.saturating_sub(used.saturating_sub(share.wires));
+    }
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 mod choice;
 mod head;
 mod observed;
+mod searched;
 mod wire;
 
 use std::collections::BTreeMap;
@@ -27,7 +28,7 @@ use crate::report::{DiagnosticReport, NoteReport, PlanReport, WireReport};
 use crate::stage::StageName;
 use crate::{Installation, PlanningError, Progress, text};
 pub use choice::wires_of_parts;
-use choice::{Replaced, WireChoice, chosen_walks, doubling_choice, search_options, start_in};
+use choice::{Allowance, Replaced, WireChoice, chosen_walks, doubling_choice, start_in};
 use observed::Observed;
 
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -167,6 +168,7 @@ impl Installation {
         let mut replaced = Replaced::default();
         progress.stage("planning");
         let shares = wires_of_parts(document, &bent, start, chosen.wires);
+        let mut allowance = Allowance::of(choices, &chosen, &shares);
         for (index, component) in bent.iter().enumerate() {
             progress.advance(index as u64, bent.len() as u64);
             let here = start_in(component, start);
@@ -189,7 +191,7 @@ impl Installation {
                 reversed: chosen.reversed && walks.is_empty(),
                 contacts: (choices.collisions || choices.avoid_collisions).then_some(margin),
                 sag: choices.sag,
-                search: search_options(choices, share.wires),
+                search: allowance.search(choices, share),
                 clear_sides: !walks.is_empty(),
                 settled: if walks.is_empty() { settled.clone() } else { walks },
             };
@@ -197,6 +199,7 @@ impl Installation {
             let observer = Observed::new(progress, &mut took);
             let plans = plan_wires(&document.wireframe, component, &setup.model, &options, observer);
             progress.stage("planning");
+            allowance.use_up(share, plans.len());
             // Of several wires of a component, the first has the times of all.
             timings.push(took);
             timings.resize(timings.len() + plans.len() - 1, BTreeMap::new());

@@ -7,6 +7,7 @@ use serde::{Serialize, Serializer};
 use wirebend_core::checks::{Code, Diagnostic, Fact, LimitSource, Quantity, Severity};
 
 use super::remedy::RemedyReport;
+use super::search::UnfoundReport;
 use crate::text;
 
 /// How bad a finding is.
@@ -80,6 +81,9 @@ pub struct DiagnosticReport {
     /// What can be done about it, the most promising first.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub remedies: Vec<RemedyReport>,
+    /// Of a search that has found no program without a collision: what was in its way, and what helps.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub search: Option<UnfoundReport>,
 }
 
 impl From<&Diagnostic> for DiagnosticReport {
@@ -98,6 +102,7 @@ impl From<&Diagnostic> for DiagnosticReport {
             edges: several(edges),
             body: match &diagnostic.fact {
                 Fact::MeetsMachine { body, .. } => Some(body.clone()),
+                Fact::NoClearProgram { body, .. } => body.clone(),
                 _ => None,
             },
             value: measured.map(|measured| number(measured).0),
@@ -111,6 +116,7 @@ impl From<&Diagnostic> for DiagnosticReport {
             message: text::shown(|| text::message(diagnostic)),
             help: text::shown(|| text::help(diagnostic)),
             remedies: diagnostic.remedies.iter().map(RemedyReport::from).collect(),
+            search: UnfoundReport::of(&diagnostic.fact),
         }
     }
 }

@@ -17,7 +17,9 @@ use wirebend_files::read::Note;
 
 pub use diagnostic::{DiagnosticReport, SeverityName};
 pub use remedy::RemedyReport;
-pub use search::{SearchReport, SearchWeights};
+pub use search::{
+    ChangeName, HelpReport, ObstacleName, SearchReport, SearchWeights, UnfoundReport, WalkReport,
+};
 pub use wirebend_core::checks::Code as DiagnosticCode;
 pub use wirebend_files::document::JobStep;
 

@@ -2,11 +2,15 @@
 
 use wirebend_core::checks::Location;
 use wirebend_core::clearance::{Obstacle, Phase};
-use wirebend_core::search::{Helps, MovedVertex};
+use wirebend_core::route::Route;
+use wirebend_core::search::{Change, ChangeKind, Help, Helps, MovedVertex};
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::EdgeId;
 
 use super::number::count;
+
+/// The ends of so many wires are named in a sentence.
+const WIRES_NAMED: usize = 6;
 
 /// "when step 12 is bent to 63.4°".
 pub(super) fn moment(at: &Location, phase: Phase, fed: Length, bent: Angle, head: Angle) -> String {
@@ -79,17 +83,52 @@ fn before_the_search(at: &Location) -> String {
     }
 }
 
-/// What was tried and helps.
-pub(super) fn helps(Helps { wires, moved }: Helps) -> String {
-    let wires = wires.map(|wires| format!("{} hit nothing", count(wires, "wire", "wires")));
-    let moved = moved.map(|MovedVertex { vertex, to, by }| {
-        format!(
+/// What was tried, and what of it helps. What a person has ended says nothing of the rest.
+pub(super) fn helps(helps: &Helps) -> String {
+    let found = helps.found.iter().map(|Help { change, routes }| match change {
+        Change::MoreWires => {
+            format!("{} hit nothing{}", count(routes.len(), "wire", "wires"), ends(routes))
+        }
+        Change::Doubled { edges, added } => {
+            let names: Vec<String> = edges.iter().map(ToString::to_string).collect();
+            let noun = if edges.len() == 1 { "edge" } else { "edges" };
+            let names = names.join(", ");
+            format!("{noun} {names} run along twice ({added:.1} more) makes a program possible")
+        }
+        Change::Moved(MovedVertex { vertex, to, by }) => format!(
             "vertex {vertex} moved by {by:.0} to ({:.1}, {:.1}, {:.1}) makes a program possible",
             to.x, to.y, to.z
-        )
+        ),
     });
-    let tried: Vec<String> = wires.into_iter().chain(moved).collect();
-    if tried.is_empty() { String::new() } else { format!("; tried: {}", tried.join("; ")) }
+    let helps_not = |kind: &&ChangeKind| helps.found.iter().all(|help| help.change.kind() != **kind);
+    let in_vain = helps.tried.iter().filter(helps_not).map(|kind| {
+        let what = match kind {
+            ChangeKind::MoreWires => "more wires",
+            ChangeKind::Doubled => "one more edge run along twice",
+            ChangeKind::Moved => "a vertex near there moved",
+        };
+        format!("nothing was found with {what}")
+    });
+    let tried: Vec<String> = found.chain(in_vain).collect();
+    let ended = match (helps.ended, helps.tried.is_empty()) {
+        (false, _) => "",
+        (true, true) => "; no change that could help was tried",
+        (true, false) => "; other changes were not tried to the end",
+    };
+    let tried = if tried.is_empty() { String::new() } else { format!("; tried: {}", tried.join("; ")) };
+    tried + ended
+}
+
+/// Where wires begin and end: ": from vertex 0 to 4, from 4 to 7".
+fn ends(routes: &[Route]) -> String {
+    let ends = |route: &Route| {
+        let (first, last) = (route.traversals.first()?, route.traversals.last()?);
+        Some(format!("from vertex {} to vertex {}", first.from, last.to))
+    };
+    let all: Vec<String> = routes.iter().filter_map(ends).collect();
+    let more = all.len().saturating_sub(WIRES_NAMED);
+    let rest = if more == 0 { String::new() } else { format!(", and {more} more") };
+    format!(", {}{rest}", all[..all.len() - more].join(", "))
 }
 
 fn goes_into(struck: &[EdgeId], depth: Length) -> String {

@@ -96,7 +96,7 @@ pub fn message(diagnostic: &Diagnostic) -> String {
         Fact::NoClearProgram { checks, exhausted, obstacle, body, passed, helps } => {
             let searched = contact::searched(*checks, *exhausted);
             let found = contact::no_clear_program(at, &searched, *obstacle, body.as_deref(), *passed);
-            found + &contact::helps(*helps)
+            found + &contact::helps(helps)
         }
         Fact::FrameUnsupported { edges, whole } => frame::unsupported(at, *edges, *whole),
         Fact::FrameMechanism => frame::mechanism(at),

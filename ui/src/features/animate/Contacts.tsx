@@ -1,16 +1,14 @@
-import { Button } from "../../shared/controls/Button";
-import { Either } from "../../shared/controls/Either";
 import { Checkbox } from "../../shared/controls/inputs";
 import { count } from "../../shared/figures/format";
 import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { useCollisions } from "../../state/design/collisions";
 import { useDesign } from "../../state/design/design";
-import { applyFix, avoidCollisions, cancelAvoiding, otherWires, useFixes } from "../../state/design/fixes/fixes";
 import { type PlayedContact, setStops, useContacts, useStops } from "../../state/program/contacts";
 import { jump } from "../../state/program/player";
 import { usePlayback } from "../../state/program/program";
 import { estimatesOf } from "../check/texts";
+import { Avoid } from "./Avoid";
 import { depthOf, hitOf } from "./hits";
 
 /** The wire as made lies elsewhere by what is said above. */
@@ -55,49 +53,6 @@ function Contact({ contact }: { readonly contact: PlayedContact }) {
       }
       sub={depthOf(contact, unit)}
     />
-  );
-}
-
-/** Another order of the bends, so that nothing is hit. */
-function Avoid() {
-  const found = useDesign(({ collisions }) => collisions?.found);
-  const avoiding = useFixes(({ avoiding: of }) => of);
-  const mine = avoiding !== null && avoiding.of === found;
-  if (mine && avoiding.failed)
-    return (
-      <p className="muted small">No order of the bends without a collision was found. Check may have other fixes.</p>
-    );
-  const offered = mine ? avoiding.offered : undefined;
-  if (offered)
-    return (
-      <div className="row wrap">
-        <span className="small">
-          {offered.title}: {otherWires(offered)}.
-        </span>
-        <Button small kind="primary" onClick={() => void applyFix(offered)}>
-          Apply
-        </Button>
-      </div>
-    );
-  return (
-    <div className="row wrap">
-      <Button
-        small
-        why={mine ? "The search takes some seconds; with hundreds of steps, minutes." : null}
-        onClick={() => void avoidCollisions()}
-      >
-        {mine ? (
-          <Either shown="Searching…" other="Avoid collisions" />
-        ) : (
-          <Either shown="Avoid collisions" other="Searching…" />
-        )}
-      </Button>
-      {mine && (
-        <Button small kind="quiet" onClick={() => void cancelAvoiding()}>
-          Cancel
-        </Button>
-      )}
-    </div>
   );
 }
 

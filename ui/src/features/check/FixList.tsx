@@ -40,17 +40,32 @@ function useChange(): (fix: Fix) => string {
   };
 }
 
+/** A fix is of the design as it was looked at: the second click of a double one would make it again of another one. */
+function isOutdated(fix: Fix): boolean {
+  const { of, ofCollisions } = useFixes.getState();
+  const { limits, collisions } = useDesign.getState();
+  return isCollision(fix.mends.code) ? ofCollisions !== (collisions?.found ?? null) : of !== limits;
+}
+
 /** Changes that would fix it, each tried on a copy before: shown in the view, and made with one click that undo takes back. */
-export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
-  const { shown, of, ofCollisions } = useFixes();
-  const { limits, collisions } = useDesign();
+export function FixList({
+  fixes,
+  isOld = isOutdated,
+  note = () => null,
+}: {
+  readonly fixes: readonly Fix[];
+  /** Whether one is of the design as it was. */
+  readonly isOld?: (fix: Fix) => boolean;
+  /** What else there is to know of one. */
+  readonly note?: (fix: Fix) => string | null;
+}) {
+  // Drawn anew when one of them is another.
+  const { shown } = useFixes();
+  useDesign();
   const [made, setMade] = useState<Fix | null>(null);
   const change = useChange();
   const box = useRef<HTMLUListElement>(null);
   useInSight(box, true);
-  // A fix is of the design as it was looked at: the second click of a double one would make it again of another one.
-  const isOld = (fix: Fix) =>
-    isCollision(fix.mends.code) ? ofCollisions !== (collisions?.found ?? null) : of !== limits;
   const whyNot = (fix: Fix): string | null => {
     if (made !== null && fixes.includes(made)) return "The fix is being applied.";
     return isOld(fix) ? "The design has changed since." : null;
@@ -70,6 +85,7 @@ export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
           <li key={index} className="fix">
             <div className="fix-title">{fix.title}</div>
             <div className="muted">{change(fix)}</div>
+            {note(fix) && <div className="muted">{note(fix)}</div>}
             <div className="row">
               <Button small pressed={now} onClick={() => showFix(now ? null : fix)}>
                 Preview

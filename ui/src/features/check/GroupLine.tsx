@@ -8,30 +8,15 @@ import { Mark } from "../../shared/lists/Mark";
 import { useDesign } from "../../state/design/design";
 import { isCollision } from "../../state/design/findings";
 import { fixesOf, useFixes } from "../../state/design/fixes/fixes";
-import { highlight, select } from "../../state/design/selection";
-import { showParts } from "../../state/parts/parts";
-import { frame } from "../../state/window/view";
-import { placesOf } from "../viewport/marks";
+import { highlight } from "../../state/design/selection";
 import { FixAllOffer } from "./FixAllOffer";
 import { FixList } from "./FixList";
+import { placesOfAll, showPlaces } from "./places";
 import { figuresOf, type Group, measureText, sourceOf, TONES, titleOf, whatOf } from "./texts";
 import { wayOut } from "./ways";
 
 /** More places than these are not listed one by one. */
 const MAX = 40;
-
-function placesOfAll(reports: readonly DiagnosticReport[]): { vertices: number[]; edges: number[] } {
-  const all = reports.map(placesOf);
-  return { vertices: all.flatMap(({ vertices }) => vertices), edges: all.flatMap(({ edges }) => edges) };
-}
-
-async function show(reports: readonly DiagnosticReport[]): Promise<void> {
-  const { vertices, edges } = placesOfAll(reports);
-  // What is hidden can neither be selected nor looked at.
-  await showParts(vertices, edges);
-  select(vertices, edges);
-  if (vertices.length + edges.length > 0) frame(vertices, edges);
-}
 
 /** Highlights the places while a line is pointed at or has the focus, and not longer: also where the line goes away meanwhile. */
 function usePointing(reports: readonly DiagnosticReport[]) {
@@ -63,7 +48,7 @@ function Member({ report }: { readonly report: DiagnosticReport }) {
   return (
     <li {...pointing.line}>
       <div className="member">
-        <button type="button" className="line-button" onClick={() => void show([report])} {...pointing.button}>
+        <button type="button" className="line-button" onClick={() => void showPlaces([report])} {...pointing.button}>
           {whatOf(report)}
         </button>
         <span className="muted member-value">{measureText(report, unit)}</span>
@@ -106,7 +91,7 @@ export function GroupLine({ group }: { readonly group: Group }) {
       <Mark tone={TONES[severity]} />
       <div className="line-what">
         {somewhere ? (
-          <button type="button" className="line-button" onClick={() => void show(reports)} {...pointing.button}>
+          <button type="button" className="line-button" onClick={() => void showPlaces(reports)} {...pointing.button}>
             {titleOf(group)}
           </button>
         ) : (
@@ -122,7 +107,7 @@ export function GroupLine({ group }: { readonly group: Group }) {
             kind="link"
             aria-expanded={folds ? open : undefined}
             title={way?.title}
-            onClick={() => (folds ? setOpen(!open) : way ? way.go() : void show(reports))}
+            onClick={() => (folds ? setOpen(!open) : way ? way.go() : void showPlaces(reports))}
           >
             {folds ? <Either shown={open ? "Close" : action} other={open ? action : "Close"} /> : action}
           </Button>

@@ -165,6 +165,7 @@ const ASKS: Readonly<Record<string, string>> = {
   "machine-view": "Loading the driver",
   fixes: "Searching for fixes",
   collisions: "Checking for collisions",
+  "avoid-collisions": "Searching for an order of the bends",
   ports: "Looking for ports",
   order: "Reading the machine",
   connect: "Connecting",

@@ -282,15 +282,24 @@ fn ctrl_c_ends_a_search_with_the_best_so_far_and_pressed_again_the_program() {
     let mut asked = Asked::start(&shop, &plan);
     asked.sees("searching for a program without collisions (Ctrl-C").presses_ctrl_c();
     asked.sees("ending the search with the best so far; press Ctrl-C again to end at once");
-    let said = asked.until("wrote best.wbjob");
+    // Nothing was found until then that hits nothing.
+    let said = asked.until("no job was written");
     assert!(said.contains("; ended by you") && said.contains("[no_clear_program]"), "{said}");
-    assert_eq!(asked.status(), Some(0));
+    assert!(said.contains("no change that could help was tried") && !said.contains("tried:"), "{said}");
+    assert_eq!(asked.status(), Some(4));
+    assert!(!shop.path().join("best.wbjob").exists());
+
+    let anyway = [&plan[..], &["--despite-errors"]].concat();
+    let mut asked = Asked::start(&shop, &anyway);
+    asked.sees("searching for a program without collisions (Ctrl-C").presses_ctrl_c();
+    asked.until("wrote best.wbjob");
+    assert_eq!(asked.status(), Some(4));
     assert!(shop.path().join("best.wbjob").exists());
 
     // A job that nobody reads keeps the program from its end until it is pressed again.
     let (unread, output) = rustix::pipe::pipe().unwrap();
     rustix::pipe::fcntl_setpipe_size(&output, 4096).unwrap();
-    let to_output = [&plan[..plan.len() - 1], &["-"]].concat();
+    let to_output = [&plan[..plan.len() - 1], &["-", "--despite-errors"]].concat();
     let mut asked = Asked::start_with(&shop, &to_output, None, output.into());
     asked.sees("searching for a program without collisions (Ctrl-C").presses_ctrl_c();
     asked.sees("ending the search").presses_ctrl_c();

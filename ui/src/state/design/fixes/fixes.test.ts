@@ -10,7 +10,8 @@ import type { Collisions, Fix, LiveCheck } from "../../../generated/responses";
 import { platform } from "../../../platform";
 import type { SceneDesign } from "../../../scene/interface";
 import { useDesign } from "../design";
-import { applyFix, avoidCollisions, fixesOf, otherWires, previewOf, useFixes } from "./fixes";
+import { avoidCollisions, useAvoiding } from "./avoiding";
+import { applyFix, fixesOf, otherWires, previewOf } from "./fixes";
 
 const design: SceneDesign = {
   vertices: new Map([0, 1, 2].map((id) => [id, { id, at: [id * 10, 0, 0] as const, support: false }])),
@@ -103,12 +104,15 @@ describe("a way without collisions that takes more wires", () => {
 
   it("is offered with how many it makes, and made only when a person takes it, who is told so once more", async () => {
     const ask = vi.mocked(platform.ask);
-    ask.mockReset().mockImplementation((async (name: string) => (name === "fixes" ? { fixes: [way] } : null)) as never);
+    const outcome = { found: true, ended: false, best: way, unfound: [], helps: [] };
+    ask
+      .mockReset()
+      .mockImplementation((async (name: string) => (name === "avoid-collisions" ? outcome : null)) as never);
     const limits = { wires: [{}] } as unknown as LiveCheck;
     useDesign.setState({ limits, collisions: { found: collisions, version: 1, dragged: false } });
     await avoidCollisions();
     expect(ask).not.toHaveBeenCalledWith("edit", expect.anything());
-    expect(useFixes.getState().avoiding?.offered).toBe(way);
+    expect(useAvoiding.getState().avoiding?.outcome?.best).toBe(way);
     expect(otherWires(way)).toBe("3 wires instead of 1");
     expect(otherWires({ ...way, after: { ...way.after, wires: 1 } })).toBeNull();
     await applyFix(way);

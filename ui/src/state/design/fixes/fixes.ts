@@ -1,7 +1,5 @@
 import { create } from "zustand";
-import type { EditRequest } from "../../../generated/requests";
 import type { Collisions, DiagnosticReport, Fix, FixPreview, LiveCheck } from "../../../generated/responses";
-import { platform } from "../../../platform";
 import type { Preview, SceneDesign, Vec3 } from "../../../scene/interface";
 import { tell } from "../../asking/problems";
 import { asking } from "../../asking/work";
@@ -20,13 +18,6 @@ interface FixStore {
   readonly ofCollisions: Collisions | null;
   /** Over once the fixes of collisions are there. */
   readonly asked: Promise<void>;
-  /** The collisions for which walks that hit nothing are searched for, and whether there were none. */
-  readonly avoiding: {
-    readonly of: Collisions;
-    readonly failed: boolean;
-    /** Found, but with more wires than there are: a person is asked first. */
-    readonly offered?: Fix;
-  } | null;
   /** The one that is shown in the view. */
   readonly shown: Fix | null;
 }
@@ -36,7 +27,6 @@ export const useFixes = create<FixStore>()(() => ({
   of: null,
   ofCollisions: null,
   asked: Promise.resolve(),
-  avoiding: null,
   shown: null,
 }));
 
@@ -113,32 +103,10 @@ export function hideFix(): void {
   if (useFixes.getState().shown) showFix(null);
 }
 
-const takesWalks = (edit: EditRequest): boolean =>
-  edit.edit === "walks" || (edit.edit === "several" && edit.edits.some(takesWalks));
-
-/** Takes walks with which the wire hits nothing, once the search for them is over, if it finds some. */
-export async function avoidCollisions(): Promise<void> {
-  const found = useDesign.getState().collisions?.found;
-  if (!found || useFixes.getState().avoiding?.of === found) return;
-  useFixes.setState({ avoiding: { of: found, failed: false } });
-  await needFixesOfCollisions();
-  if (useDesign.getState().collisions?.found !== found || useFixes.getState().avoiding?.of !== found) return;
-  const fix = useFixes.getState().fixes.find((one) => ofCollisions(one) && takesWalks(one.edit));
-  if (fix && makesMoreWires(fix)) useFixes.setState({ avoiding: { of: found, failed: false, offered: fix } });
-  else if (fix) await applyFix(fix);
-  else useFixes.setState({ avoiding: { of: found, failed: true } });
-}
-
-/** Ends that search; a person may begin it again. */
-export async function cancelAvoiding(): Promise<void> {
-  useFixes.setState({ avoiding: null, ofCollisions: null, asked: Promise.resolve() });
-  await platform.ask("stop-collisions", {}).catch(() => {});
-}
-
 /** How many wires there are by the checks; 0 where they do not know. */
 const wiresNow = (): number => useDesign.getState().limits?.wires.length ?? 0;
 
-const makesMoreWires = ({ after: { wires } }: Fix): boolean => wiresNow() > 0 && wires > wiresNow();
+export const makesMoreWires = ({ after: { wires } }: Fix): boolean => wiresNow() > 0 && wires > wiresNow();
 
 /** "3 wires instead of 1", where a fix leaves another number of wires than the checks know; null where it does not. */
 export function otherWires({ after: { wires } }: Fix): string | null {
@@ -152,9 +120,11 @@ export function previewGone(): void {
 }
 
 /** Makes it: one change, which undo takes back. */
-export async function applyFix(fix: Fix): Promise<void> {
+export async function applyFix(fix: Fix): Promise<boolean> {
   showFix(null);
   const changed = otherWires(fix);
   // Which wires there are is seen nowhere in the view: who has not read the offer would cut stock for one.
-  if ((await edit(fix.edit)) && changed) tell("info", `${fix.title}: ${changed}. Undo takes it back.`, "more-wires");
+  const made = await edit(fix.edit);
+  if (made && changed) tell("info", `${fix.title}: ${changed}. Undo takes it back.`, "more-wires");
+  return made !== null;
 }

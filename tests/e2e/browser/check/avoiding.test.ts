@@ -1,0 +1,93 @@
+import { readFileSync } from "node:fs";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { Editor, until } from "../../support/editor.ts";
+
+let editor: Editor;
+
+beforeAll(async () => {
+  editor = await Editor.open();
+});
+afterAll(() => editor?.end());
+
+const animate = () => editor.section("animate");
+const button = (name: string) => animate().getByRole("button", { name, exact: true });
+const search = () => button("Avoid collisions").or(button("Search again"));
+const fix = (title: string) => animate().locator(".fix", { hasText: title });
+
+/** A number in the settings of the search. */
+async function set(label: string, value: string): Promise<void> {
+  const field = animate().getByLabel(label, { exact: true });
+  await field.fill(value);
+  await field.press("Enter");
+}
+
+it("says what is wrong with a setting at its field, and has the usual ones", async () => {
+  await editor.take("cup-holder", "edit", "animate");
+  await button("Avoid collisions").waitFor();
+  await animate()
+    .getByRole("button", { name: /^Search settings/ })
+    .click();
+  const effort = animate().getByLabel("Effort", { exact: true });
+  expect((await effort.inputValue()).replace(/\s/g, "")).toBe("20000");
+  await effort.fill("0");
+  await animate()
+    .getByText(/^Expected from 1 to/)
+    .waitFor();
+  await effort.press("Escape");
+  await animate().getByText("Weighed", { exact: true }).click();
+  for (const [label, usual] of [
+    ["A wire", "1000"],
+    ["A doubled mm", "1"],
+    ["A second", "5"],
+  ] as const) {
+    expect((await animate().getByLabel(label, { exact: true }).inputValue()).replace(/\s/g, "")).toBe(usual);
+    await set(label, "0");
+  }
+  await animate().getByText("One of the weights has to be more than 0").waitFor();
+  await editor.isClean("avoid-settings");
+  await animate().getByText("In order", { exact: true }).click();
+});
+
+it("says what was in the way of a search, leads there, and makes what was tried and helps", async () => {
+  await set("Most wires", "1");
+  await search().click();
+  const way = button("At vertex 1 the wire would hit the nozzle");
+  await way.waitFor();
+  await animate().getByText("The search got as far as edge 11 of 11. Every walk of one wire was tried.").waitFor();
+  await animate().getByText("Nothing was found with an edge run along twice.").waitFor();
+  await fix("Bend 2 wires that hit nothing").getByText("Cut at vertices: from 0 to 1, from 10 to 1").waitFor();
+  await editor.isClean("avoid-failed");
+  await way.click();
+  await editor.section("edit").getByLabel("Vertex 1, X, mm").first().waitFor();
+  await editor.isClean("avoid-failed-vertex");
+  await fix("Move vertex 1 by 1.0 mm").getByRole("button", { name: "Apply" }).click();
+  await animate().getByText("No collision found.").waitFor();
+  await editor.page.keyboard.press("Control+z");
+  await until(() => search().count()).toBe(1);
+});
+
+it("says how far it is, and ends with the best until then", async () => {
+  const bytes = [...readFileSync(new URL("../../../../examples/cube.obj", import.meta.url))];
+  await editor.loopback.ask("open", { design: { input: { bytes: { name: "cube.obj", bytes } }, units: "mm" } });
+  const { fixes } = await editor.loopback.ask("fixes", {});
+  const twice = fixes.find(({ title }) => title.includes("twice"));
+  if (!twice) throw new Error("a cube is no single wire without edges that are run along twice");
+  await editor.loopback.ask("edit", { request: twice.edit });
+  await editor.reload("animate");
+  await search().waitFor();
+  await animate()
+    .getByRole("button", { name: /^Search settings/ })
+    .click();
+  await set("Effort", "4000000000");
+  await set("Most wires", "1");
+  await search().click();
+  await animate()
+    .getByText(/^[1-9].* of at most 4\D*000\D*000\D*000 steps checked$/)
+    .waitFor();
+  await editor.isClean("avoid-underway");
+  await button("Stop").click();
+  await animate()
+    .getByText(/steps were checked until it was ended. No change that could help was tried/)
+    .waitFor();
+  await editor.isClean("avoid-ended");
+});

@@ -1,0 +1,60 @@
+/** The words for what came of a search for an order of the bends that hits nothing. */
+
+import type { DiagnosticReport, HelpReport, UnfoundReport } from "../../generated/responses";
+import { number } from "../../shared/figures/format";
+
+/** What was in the way where the search came farthest: "At vertex 1 the wire would hit the nozzle". */
+export function obstacleOf({ vertex, body, search }: DiagnosticReport): string | null {
+  const what = {
+    body: `the wire would hit the ${body ?? "machine"}`,
+    stock: "the wire would hit the wire that is still to be bent",
+    "head-limit": "the head cannot turn far enough",
+  };
+  if (!search?.obstacle) return null;
+  const place = vertex === undefined || vertex === null ? "There" : `At vertex ${vertex}`;
+  return `${place} ${what[search.obstacle]}`;
+}
+
+/** How far the search came, and how much of all it has tried. */
+export function reachOf({ passed, of, exhausted, steps_checked, ended }: UnfoundReport): string {
+  const far =
+    passed === null || of === null ? null : `The search got as far as edge ${number(passed, 0)} of ${number(of, 0)}.`;
+  const much = exhausted
+    ? "Every walk of one wire was tried."
+    : steps_checked > 0
+      ? `${number(steps_checked, 0)} steps were checked${ended ? " until it was ended" : ""}.`
+      : "It was not searched: bends that no order avoids come first.";
+  return [far, much].filter(Boolean).join(" ");
+}
+
+/** Where a help cuts the wire: "Cut at vertices: from 0 to 4, from 4 to 7"; null where there is one wire. */
+export function cutsOf({ walks }: HelpReport): string | null {
+  if (walks.length < 2) return null;
+  const NAMED = 6;
+  const ends = walks.slice(0, NAMED).map(({ from, to }) => `from ${from} to ${to}`);
+  const more = walks.length - ends.length;
+  return `Cut at vertices: ${ends.join(", ")}${more > 0 ? ` and ${more} more` : ""}`;
+}
+
+const KINDS: Readonly<Record<UnfoundReport["tried"][number], string>> = {
+  "more-wires": "more wires",
+  "double-edges": "an edge run along twice",
+  "move-vertex": "a vertex near there moved",
+};
+
+/** Which kinds of changes were tried without success, and whether all were. */
+export function inVainOf({ helps, tried, ended }: UnfoundReport): string[] {
+  const helping = new Set(helps.map(({ help }) => help));
+  const vain = tried.filter((kind) => !helping.has(kind)).map((kind) => KINDS[kind]);
+  const said = vain.length > 0 ? [`Nothing was found with ${listed(vain)}.`] : [];
+  if (!ended) return said;
+  return [
+    ...said,
+    tried.length > 0 ? "Other changes were not tried to the end." : "No change that could help was tried.",
+  ];
+}
+
+function listed(all: readonly string[]): string {
+  const [last, ...before] = all.toReversed();
+  return before.length > 0 ? `${before.toReversed().join(", ")} or ${last}` : (last ?? "");
+}
