@@ -137,7 +137,7 @@ pub struct SearchOutcome {
     /// How many steps were checked.
     pub checks: u64,
     /// Whether every walk of one wire was tried, with every sign and winding, where more wires were not allowed: the part standing about
-    /// the wire in steps of 45°.
+    /// the wire in steps of 5.625°.
     pub exhausted: bool,
     /// What was in the way where it came farthest without a contact; none where nothing had to be searched.
     pub obstruction: Option<Obstruction>,
@@ -241,6 +241,23 @@ fn orientations(limits: &HeadLimits, turned: bool) -> Vec<Orientation> {
     let aside = aside.into_iter().filter(|_| turned);
     let within = |orientation: &Orientation| orientation.head >= limits.min && orientation.head <= limits.max;
     at_reference.into_iter().chain(aside).map(orientation).filter(within).collect()
+}
+
+/// So many times the steps of 45° are halved.
+const HALVINGS: u32 = 3;
+
+/// The positions between those of [`orientations`], in steps of 22.5° first, then of 11.25° and of 5.625°; the nearest to the reference
+/// come first.
+fn orientations_between(limits: &HeadLimits) -> Vec<Orientation> {
+    let halves = (1..=HALVINGS).map(|halving| 45.0 / 2.0_f64.powi(halving.cast_signed()));
+    let between = halves.flat_map(|step| {
+        let odd = std::iter::successors(Some(step), move |degrees| Some(degrees + 2.0 * step));
+        odd.take_while(|&degrees| degrees < 180.0).flat_map(|degrees| [degrees, -degrees])
+    });
+    let orientation =
+        |degrees: f64| Orientation { head: Angle::computed(degrees.to_radians()), flipped: false };
+    let within = |orientation: &Orientation| orientation.head >= limits.min && orientation.head <= limits.max;
+    between.map(orientation).filter(within).collect()
 }
 
 #[cfg(test)]

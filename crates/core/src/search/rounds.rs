@@ -7,7 +7,9 @@ use super::heads::Orientation;
 use super::objective::Order;
 use super::trail::Passes;
 use super::walk::Walk;
-use super::{Bender, Found, Obstruction, SearchOptions, SearchTask, farther, orientations};
+use super::{
+    Bender, Found, Obstruction, SearchOptions, SearchTask, farther, orientations, orientations_between,
+};
 use crate::route::doubling_weighed;
 use crate::wireframe::{Component, EdgeId, Wireframe};
 
@@ -100,13 +102,49 @@ impl<'a> Search<'a> {
                     return best.map(|(found, _)| found);
                 }
             }
-            // All trails of a wire were looked at, with the part in every position that is tried.
+            // All trails of a wire were looked at, with the part in every position that is tried: there are others between these.
             if exhausted && round > 0 {
-                self.exhausted = true;
-                return best.map(|(found, _)| found);
+                let between = best.is_none().then(|| self.between(&passes, until, &mut rng, should_continue));
+                return best.map(|(found, _)| found).or(between.flatten());
             }
         }
         best.map(|(found, _)| found)
+    }
+
+    /// The same with the part standing about the wire between the positions that were tried, closer and closer.
+    fn between(
+        &mut self,
+        passes: &Passes,
+        until: u64,
+        rng: &mut ChaCha8Rng,
+        should_continue: &mut impl FnMut(u64) -> bool,
+    ) -> Option<Found> {
+        let starts = self.starts(passes);
+        let mut exhausted = true;
+        for orientation in orientations_between(self.bender.head) {
+            for &start in &starts {
+                let mut walk = Walk::new(self.wireframe, self.bender, passes, self.wires, rng);
+                let before = self.checks;
+                let found = walk.descend((start, orientation), 0.0, &mut |checks| {
+                    before + checks < until && should_continue(before + checks)
+                });
+                self.checks += walk.checks.max(1);
+                self.obstruction = farther(self.obstruction, walk.obstruction);
+                exhausted &= walk.exhausted;
+                if found.is_some() || self.checks >= until || !should_continue(self.checks) {
+                    return found;
+                }
+            }
+        }
+        self.exhausted = exhausted;
+        None
+    }
+
+    /// Where a wire may begin.
+    fn starts(&self, passes: &Passes) -> Vec<usize> {
+        let none = vec![false; passes.all.len()];
+        let chosen = self.task.start.and_then(|start| passes.vertices.binary_search(&start).ok());
+        chosen.map_or_else(|| passes.starts(&none), |start| vec![start])
     }
 
     /// Which edges are passed once more, for so many wires.
@@ -132,9 +170,7 @@ impl<'a> Search<'a> {
         turned: bool,
         rng: &mut ChaCha8Rng,
     ) -> (Vec<(usize, Orientation)>, bool) {
-        let none = vec![false; passes.all.len()];
-        let chosen = self.task.start.and_then(|start| passes.vertices.binary_search(&start).ok());
-        let starts = chosen.map_or_else(|| passes.starts(&none), |start| vec![start]);
+        let starts = self.starts(passes);
         let orientations = orientations(self.bender.head, turned);
         let mut begins: Vec<(usize, Orientation)> = orientations
             .into_iter()

@@ -1,4 +1,4 @@
-use nalgebra::{Isometry3, Vector3};
+use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use wirebend_collide::Solid;
 
 use super::*;
@@ -90,6 +90,27 @@ fn the_part_is_turned_where_only_that_helps() {
     let made = crate::bend::replay(start, &scheduled.steps);
     for (made, designed) in made.iter().zip(&wires[0].path) {
         assert!((made - designed).norm() < 1e-9, "{made} is not {designed}");
+    }
+}
+
+/// Two walls close to each other leave room for a flat part alone, and only where it lies along them: they may be tilted by any angle.
+#[test]
+fn a_flat_part_is_turned_into_a_gap_that_is_tilted_by_any_angle() {
+    for tilt in [10.0_f64, 22.0, 30.0, 58.0, -37.0, -80.0] {
+        let turned = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), tilt.to_radians());
+        let wall = |z: f64| Body {
+            at: Isometry3::from_parts((turned * Vector3::new(0.0, 0.0, z)).into(), turned),
+            ..body(MovesWith::Frame, [400.0, 600.0, 10.0], [0.0; 3])
+        };
+        let machine = machine(vec![wall(13.0), wall(-13.0)]);
+        let one = options(SearchOptions { max_wires: 1, ..SearchOptions::default() });
+        let wires = planned(&stair(), &machine, &one);
+        assert!(wires[0].searched.unwrap().found, "{tilt}: {:?}", wires[0].diagnostics);
+        assert!(wires[0].contacts.as_ref().unwrap().is_empty());
+        // Also where the walk has to stay as it is.
+        let settled = vec![wires[0].route.clone().unwrap()];
+        let kept = planned(&stair(), &machine, &PlanOptions { settled, ..one });
+        assert!(kept[0].contacts.as_ref().unwrap().is_empty(), "{tilt}: {:?}", kept[0].diagnostics);
     }
 }
 
@@ -202,11 +223,11 @@ fn an_edge_that_helps_when_it_is_run_along_twice_is_named() {
         body(MovesWith::Frame, [400.0, 400.0, 4.0], [0.0, 0.0, 100.0]),
     ];
     let machine = machine(walls.to_vec());
-    let search = Some(SearchOptions { max_wires: 1, effort: 400, ..SearchOptions::default() });
+    let search = Some(SearchOptions { max_wires: 1, effort: 4000, ..SearchOptions::default() });
     let one = PlanOptions { search, ..PlanOptions::default() };
     let without = planned(&triangles, &machine, &one);
     let searched = without[0].searched.unwrap();
-    assert!(!searched.found && searched.exhausted);
+    assert!(!searched.found && searched.exhausted, "{searched:?}");
     let said = helps(&without);
     let twice = said.found.iter().find(|help| help.change.kind() == ChangeKind::Doubled);
     let Some(Change::Doubled { edges, added }) = twice.map(|help| &help.change) else { panic!("{said:?}") };

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::heads::{Layer, Orientation, StepQuestion, scheduled};
 use super::trail::{Pass, Passes};
-use super::{Bender, FoundWire, orientations};
+use super::{Bender, FoundWire, orientations, orientations_between};
 use crate::bend::{NominalProgram, program_of_path};
 use crate::clearance::{Clearance, Obstacle, StockWire, passages};
 use crate::route::{Route, Traversal};
@@ -156,9 +156,16 @@ pub(crate) fn bend_route(
         bent.min_by_key(|found| (found.met, found.nanoseconds))
     };
     let at_reference = best_of(false);
-    match at_reference {
-        Some(found) if found.met == 0 || !turned => Some(found),
+    let aside = match at_reference {
+        Some(found) if found.met == 0 || !turned => return Some(found),
         _ => best_of(turned),
+    };
+    match aside {
+        Some(found) if found.met > 0 => {
+            let clear = orientations_between(bender.head).into_iter().filter_map(&bend);
+            Some(clear.into_iter().find(|found| found.met == 0).unwrap_or(found))
+        }
+        aside => aside,
     }
 }
 
