@@ -5,6 +5,7 @@ use wirebend_collide::Chain;
 
 use super::centreline::{Centreline, Leg};
 use super::stroke::{Phase, State, Stroke};
+use crate::estimate::WireModel;
 use crate::motion::bend_axis;
 use crate::sag::{HangingWire, down};
 use crate::units::Angle;
@@ -47,7 +48,7 @@ impl Slice {
 
 impl Hanging {
     /// None where the wire has no stiffness.
-    pub fn new(centreline: &Centreline, wire: &crate::estimate::WireModel) -> Option<Self> {
+    pub fn new(centreline: &Centreline, wire: &WireModel) -> Option<Self> {
         HangingWire::new(centreline.chain.points().to_vec(), wire).map(Self)
     }
 
