@@ -60,7 +60,8 @@ function Asking({ opening }: { readonly opening: Opening }) {
   const [cutting, setCutting] = useState(() => cuttingFor(opening.look));
   const [use, setUse] = useState<Use>("stencil");
   const [busy, setBusy] = useState(false);
-  const filled = useDesign(isBegun);
+  // What it was when the file was chosen: what is read into the design while the dialog closes changes no button.
+  const [filled] = useState(() => isBegun(useDesign.getState()));
   const { length, bare } = useLengths();
   const surface = look.faces > 0 && look.seen !== "document";
   const drawing = isDrawing(opening.look.format);
