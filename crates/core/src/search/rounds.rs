@@ -79,16 +79,9 @@ impl<'a> Search<'a> {
             let is_settled = self.task.doubled.is_some() || doubled.is_empty();
             let mut exhausted = self.wires == 1 && is_settled && are_all;
             for begin in begins {
-                let mut walk = Walk::new(self.wireframe, self.bender, &passes, self.wires, &mut rng);
-                let before = self.checks;
                 let noise = f64::from(u32::try_from(round.min(8)).unwrap_or(8)) / 2.0;
-                let found = walk.descend(begin, noise, &mut |checks| {
-                    before + checks < until && should_continue(before + checks)
-                });
-                // Where nothing can be checked at all, it must come to an end, too.
-                self.checks += walk.checks.max(1);
-                self.obstruction = farther(self.obstruction, walk.obstruction);
-                exhausted &= walk.exhausted;
+                let (found, all) = self.descend(&passes, (begin, noise), until, &mut rng, should_continue);
+                exhausted &= all;
                 if let Some(found) = found {
                     if best.is_none() {
                         until = until.min(2 * self.checks);
@@ -123,14 +116,9 @@ impl<'a> Search<'a> {
         let mut exhausted = true;
         for orientation in orientations_between(self.bender.head) {
             for &start in &starts {
-                let mut walk = Walk::new(self.wireframe, self.bender, passes, self.wires, rng);
-                let before = self.checks;
-                let found = walk.descend((start, orientation), 0.0, &mut |checks| {
-                    before + checks < until && should_continue(before + checks)
-                });
-                self.checks += walk.checks.max(1);
-                self.obstruction = farther(self.obstruction, walk.obstruction);
-                exhausted &= walk.exhausted;
+                let begin = ((start, orientation), 0.0);
+                let (found, all) = self.descend(passes, begin, until, rng, should_continue);
+                exhausted &= all;
                 if found.is_some() || self.checks >= until || !should_continue(self.checks) {
                     return found;
                 }
@@ -138,6 +126,25 @@ impl<'a> Search<'a> {
         }
         self.exhausted = exhausted;
         None
+    }
+
+    /// What one descent finds, with so much chance in the order of moves; and whether it has looked at all trails from there.
+    fn descend(
+        &mut self,
+        passes: &Passes,
+        (begin, noise): ((usize, Orientation), f64),
+        until: u64,
+        rng: &mut ChaCha8Rng,
+        should_continue: &mut impl FnMut(u64) -> bool,
+    ) -> (Option<Found>, bool) {
+        let mut walk = Walk::new(self.wireframe, self.bender, passes, self.wires, rng);
+        let before = self.checks;
+        let found = walk
+            .descend(begin, noise, &mut |checks| before + checks < until && should_continue(before + checks));
+        // Where nothing can be checked at all, it must come to an end, too.
+        self.checks += walk.checks.max(1);
+        self.obstruction = farther(self.obstruction, walk.obstruction);
+        (found, walk.exhausted)
     }
 
     /// Where a wire may begin.

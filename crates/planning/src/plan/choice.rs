@@ -147,8 +147,8 @@ pub(super) fn doubling_choice(
     DoublingChoice::Accepted(accepted)
 }
 
-/// How many wires the search for a part of the design may use: where a number of wires is chosen, the share of the part and those that
-/// no part has any use for otherwise.
+/// How many wires the search for a part of the design may use: where a number of wires is chosen, the share of the part and the wires that
+/// are left over, which save nothing that is doubled.
 pub(super) struct Allowance {
     is_chosen: bool,
     spare: usize,
