@@ -29,7 +29,7 @@ export type Watched = typeof globalThis & { wirebendPointer?: PointerWatch };
  * - a scroll by wheel, key, or by the test that brings something into sight. A scroll by the page, and one that the browser does since the
  *   contents have become too short, is none of these;
  * - what a dialog or a menu covers that has opened where the pointer is;
- * - another size of the window, and a drag, until the next action;
+ * - another size of the window, a drag, and a double-click on a divider, which puts it back, until the next action;
  * - all of the panel, after a click on a control that leads to another section of it (`aria-controls`);
  * - below a control that opens and closes (`aria-expanded`, `summary`): what comes after it in the document. It stays itself, until the page
  *   brings what was opened into sight.
@@ -217,6 +217,13 @@ export function watchPointer(tell: string): void {
   };
   for (const up of ["pointerup", "pointercancel"] as const) addEventListener(up, release, capture);
   addEventListener(
+    "dblclick",
+    ({ target }) => {
+      if (target instanceof Element && target.closest("[role=separator]")) forget();
+    },
+    capture,
+  );
+  addEventListener(
     "keydown",
     ({ key, target }) => {
       look(true);
@@ -230,6 +237,11 @@ export function watchPointer(tell: string): void {
       // It follows a click, which the page has heard of by now.
       if (target instanceof HTMLInputElement && ["checkbox", "radio"].includes(target.type)) return;
       look(true);
+      // Its list was chosen from with the pointer on it, wherever a test has left that.
+      if (target instanceof HTMLSelectElement) {
+        const { left, top, width, height } = target.getBoundingClientRect();
+        at = { x: left + width / 2, y: top + height / 2 };
+      }
       keep(`a value of ${target instanceof Element ? name(target) : "?"}`);
     },
     capture,
