@@ -61,6 +61,29 @@ fn crossing_struts_are_an_error_with_their_place_and_what_to_do() {
     }
 }
 
+/// A strut that comes to lie beside the last one, 2 mm of wire of 3 mm apart: swung there through it, or from its own side, or by a
+/// bend in a plane beside it, where it passes over it at the same distance.
+#[test]
+fn what_comes_too_close_presses_or_snaps_past_by_the_bend_that_brings_it_there() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("beside.obj");
+    let said = |x: &str, start: &str| {
+        let strut = format!("v {x} -80 0\nv {x} -20 0\nv {x} -20 60\n");
+        let rest = "v 60 -20 60\nv 60 0 0\nv 0 0 0\nv 0 -100 0\nl 1 2 3 4 5 6 7\n";
+        fs::write(&file, strut + rest).unwrap();
+        run(&["check", file.to_str().unwrap(), "-m", "table-bender", "--start", start]).err
+    };
+    let snaps = "in the bend at vertex 5 one snaps past the other, and they press on each other from then on";
+    for (x, start, expected) in [
+        ("-2", "0", snaps),
+        ("2", "0", "they press on each other from the bend at vertex 5 on"),
+        ("-2", "6", "they press on each other from the bend at vertex 1 on"),
+    ] {
+        let said = said(x, start);
+        assert!(said.contains("warning[edges_meet]") && said.contains(expected), "{x} from {start}: {said}");
+    }
+}
+
 #[test]
 fn a_body_that_is_only_estimated_is_a_warning_that_says_so() {
     let said = run(&["check", &example("house.obj"), "-m", "wirebend-kit", "--collisions"]).ended(0);

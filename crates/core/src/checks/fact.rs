@@ -4,8 +4,7 @@ mod bend_of;
 mod code;
 mod figures;
 
-use super::BendRadius;
-use super::limit::{ReachLimit, Source, Sourced};
+use super::{BendRadius, ReachLimit, Source, Sourced};
 use crate::bend::PathError;
 use crate::clearance::{Obstacle, Phase};
 use crate::compensate::NearCorner;
@@ -15,12 +14,11 @@ use crate::search::Helps;
 use crate::sequence::Violation;
 use crate::units::{Angle, Length};
 use crate::wireframe::{EdgeId, VertexId};
-pub use bend_of::BendOf;
+pub use bend_of::{BendOf, Brought};
 
 /// What a finding says, beyond how bad it is and where.
 ///
-/// Each variant belongs to one [`Code`](super::Code); where a code has several, they differ in what was measured. Bends are signed as
-/// the schedule makes them, or magnitudes where no side is chosen yet.
+/// Each variant belongs to one [`Code`](super::Code). Bends are signed as scheduled, or magnitudes where no side is chosen yet.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Fact {
     /// An edge of the drawing has no length.
@@ -64,6 +62,8 @@ pub enum Fact {
         distance: Length,
         /// Diameter of the wire.
         diameter: Length,
+        /// What brings them together, where a wire has a program along both.
+        brought: Option<Brought>,
     },
     /// A vertex has no edge.
     IsolatedVertex {

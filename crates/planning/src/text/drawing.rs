@@ -1,7 +1,7 @@
 //! Flaws of the drawing itself.
 
 use wirebend_core::bend::PathError;
-use wirebend_core::checks::Location;
+use wirebend_core::checks::{Brought, Location};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{EdgeId, VertexId};
 
@@ -54,12 +54,25 @@ pub(super) fn meeting(
     }
 }
 
-pub(super) fn edges_meet(meeting: &str, distance: Length, diameter: Length, through: bool) -> String {
+pub(super) fn edges_meet(
+    meeting: &str,
+    distance: Length,
+    diameter: Length,
+    through: bool,
+    brought: Option<Brought>,
+) -> String {
     let digits = digits_beside(distance.mm(), diameter.mm());
-    let what = if through {
-        "they run through each other"
-    } else {
-        "they press on each other there, or snap past each other while they are bent"
+    let what = match brought {
+        _ if through => "they run through each other".to_owned(),
+        None => "they press on each other there, or snap past each other while they are bent".to_owned(),
+        Some(Brought { vertex, passes: false }) => {
+            format!("they press on each other from the bend at vertex {vertex} on")
+        }
+        Some(Brought { vertex, passes: true }) => {
+            format!(
+                "in the bend at vertex {vertex} one snaps past the other, and they press on each other from then on"
+            )
+        }
     };
     format!(
         "{meeting}: {distance:.digits$} from centre to centre, and the wire is {diameter:.digits$} thick; {what}"

@@ -1,7 +1,7 @@
 use wirebend_core::bend::PathError;
 use wirebend_core::checks::{
-    BendOf, BendRadius, Diagnostic, Fact, LimitSource, Location, ReachLimit, Remedy, Severity, Source,
-    Sourced,
+    BendOf, BendRadius, Brought, Diagnostic, Fact, LimitSource, Location, ReachLimit, Remedy, Severity,
+    Source, Sourced,
 };
 use wirebend_core::compensate::NearCorner;
 use wirebend_core::route::RouteError;
@@ -51,14 +51,16 @@ fn findings_of_the_drawing_name_vertices_and_edges() {
     says(nowhere(), parallel, "edges 3 and 9 both join vertices 1 and 2");
     let close = Fact::CoincidentVertices { vertices: [a, b], distance: mm(5e-4), tolerance: mm(1e-3) };
     says(nowhere(), close, "vertices 1 and 2 are 0.0005 mm apart but not merged");
-    let meet = |near| Fact::EdgesMeet {
+    let brought_by = |near, brought| Fact::EdgesMeet {
         edges: [EdgeId(3), EdgeId(9)],
         near,
         from: [a, b],
         along: [mm(35.0), mm(0.5)],
         distance: mm(1.0),
         diameter: mm(3.0),
+        brought,
     };
+    let meet = |near| brought_by(near, None);
     let nearer = "1.0 mm from centre to centre, and the wire is 3.0 mm thick";
     let through = "they run through each other";
     says(
@@ -76,16 +78,20 @@ fn findings_of_the_drawing_name_vertices_and_edges() {
         meet([Some(a), None]),
         &format!("edge 9 meets vertex 1, 0.5 mm from vertex 2: {nearer}; {through}"),
     );
-    let touch = |near| {
-        let fact = meet(near);
-        message(&Diagnostic { severity: Severity::Warning, ..finding(nowhere(), fact, Vec::new()) })
-    };
-    assert_eq!(
-        touch([Some(a), Some(b)]),
-        format!(
-            "vertices 1 and 2 meet but are not merged: {nearer}; they press on each other there, or snap past each other while they are bent"
-        )
-    );
+    for (brought, what) in [
+        (None, "they press on each other there, or snap past each other while they are bent"),
+        (Some(false), "they press on each other from the bend at vertex 7 on"),
+        (
+            Some(true),
+            "in the bend at vertex 7 one snaps past the other, and they press on each other from then on",
+        ),
+    ] {
+        let brought = brought.map(|passes| Brought { vertex: VertexId(7), passes });
+        let fact = brought_by([Some(a), Some(b)], brought);
+        let said =
+            message(&Diagnostic { severity: Severity::Warning, ..finding(nowhere(), fact, Vec::new()) });
+        assert_eq!(said, format!("vertices 1 and 2 meet but are not merged: {nearer}; {what}"));
+    }
     says(nowhere(), Fact::IsolatedVertex { vertex: a }, "vertex 1 has no edge: no wire passes through it");
     let several = Fact::SeveralWires { wires: 3 };
     says(nowhere(), several, "the wireframe is not connected: it takes 3 wires");
