@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
@@ -126,28 +126,73 @@ fn live_check(c: &mut Criterion) {
     group.finish();
 }
 
-fn drag(group: &mut BenchmarkGroup<'_, WallTime>, name: &str, wireframe: Wireframe) {
+/// A window in which a design is open.
+fn opened(wireframe: Wireframe) -> Workspace {
     struct Nobody;
     impl EventSink for Nobody {
         fn emit(&self, _: &WindowEvent) {}
     }
     let workspace = Workspace::new(Places::default(), Arc::new(Nobody)).unwrap();
-    let at = wireframe.vertex(VertexId(100)).unwrap().position;
     let bytes = wirebend_files::document::Document::new(wireframe).to_bytes().unwrap();
     let open = serde_json::json!({
         "ask": "open",
         "design": { "input": { "bytes": { "name": "dragged.wirebend", "bytes": bytes } } },
     });
     workspace.ask_json(&open.to_string()).unwrap();
+    workspace
+}
+
+/// A question with a vertex a little elsewhere each time.
+fn dragged(ask: &'static str, wireframe: &Wireframe, vertex: u32) -> impl FnMut() -> String + use<> {
+    let at = wireframe.vertex(VertexId(vertex)).unwrap().position;
     let mut turn = 0.0_f64;
-    group.bench_function(name, |b| {
-        b.iter(|| {
-            turn += 0.1;
-            let at = [at.x + turn.sin(), at.y + turn.cos(), at.z];
-            let check = serde_json::json!({ "ask": "check", "moved": [{ "vertex": 100, "at_mm": at }] });
-            workspace.ask_json(black_box(&check.to_string())).unwrap()
-        });
+    move || {
+        turn += 0.1;
+        let at = [at.x + turn.sin(), at.y + turn.cos(), at.z];
+        serde_json::json!({ "ask": ask, "moved": [{ "vertex": vertex, "at_mm": at }] }).to_string()
+    }
+}
+
+fn drag(group: &mut BenchmarkGroup<'_, WallTime>, name: &str, wireframe: Wireframe) {
+    let mut question = dragged("check", &wireframe, 100);
+    let workspace = opened(wireframe);
+    group.bench_function(name, |b| b.iter(|| workspace.ask_json(black_box(&question())).unwrap()));
+}
+
+/// The check for collisions while a person drags a vertex of a design of 200 edges, and how soon one that is under way ends when it is
+/// given up for a later place.
+fn live_collisions(c: &mut Criterion) {
+    let mut group = c.benchmark_group("live-collisions");
+    let column = column(9, 8);
+    assert_eq!(column.edge_count(), 200);
+    let mut question = dragged("collisions", &column, 30);
+    let workspace = opened(column);
+    let answer = workspace.ask_json(&question()).unwrap();
+    let found: serde_json::Value = serde_json::from_str(answer.get()).unwrap();
+    assert_eq!(found["checked"], true, "{answer}");
+    group.bench_function("column-200-edges", |b| {
+        b.iter(|| workspace.ask_json(black_box(&question())).unwrap());
     });
+    group.bench_function("given-up", |b| {
+        b.iter_custom(|times| (0..times).map(|_| given_up(&workspace, &question())).sum());
+    });
+    group.finish();
+}
+
+/// From the word that a check is not wanted any more until it has ended.
+fn given_up(workspace: &Workspace, question: &str) -> Duration {
+    std::thread::scope(|scope| {
+        let check = scope.spawn(|| {
+            let answer = workspace.ask_json(question).unwrap();
+            (answer, Instant::now())
+        });
+        // It is well under way.
+        std::thread::sleep(Duration::from_millis(10));
+        let begun = Instant::now();
+        workspace.ask_json(r#"{ "ask": "stop-collisions" }"#).unwrap();
+        let (_, ended) = check.join().unwrap();
+        ended.saturating_duration_since(begun)
+    })
 }
 
 fn euler_path_and_doubling(c: &mut Criterion) {
@@ -173,5 +218,5 @@ fn euler_path_and_doubling(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, whole_pipeline, live_check, euler_path_and_doubling);
+criterion_group!(benches, whole_pipeline, live_check, live_collisions, euler_path_and_doubling);
 criterion_main!(benches);

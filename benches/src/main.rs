@@ -54,6 +54,17 @@ fn main() -> Result<()> {
         50.0,
     );
 
+    row(
+        "live check of 200 edges for collisions, 95 of 100 within",
+        criterion_p95_ms(&root, "live-collisions/column-200-edges")?,
+        100.0,
+    );
+    row(
+        "one that is given up, until it has ended, 95 of 100 within",
+        criterion_p95_ms(&root, "live-collisions/given-up")?,
+        10.0,
+    );
+
     row("start of a driver's process", criterion_ms(&root, "driver/start")?, 50.0);
     let (here, there) = ("driver-encode-1000/in-process", "driver-encode-1000/child-process");
     let (here, there) = (criterion_ms(&root, here)?, criterion_ms(&root, there)?);
