@@ -27,10 +27,10 @@ pub fn coarse() -> Value {
             "feed_steps_per_mm": GEARS.feed_steps_per_mm,
             "rotate_steps_per_turn": GEARS.rotate_steps_per_turn,
             "bend_steps_per_turn": GEARS.bend_steps_per_turn,
-            "feed_rate_mm_per_s": 150.0, "rotate_rate_deg_per_s": 360.0, "bend_rate_deg_per_s": 600.0,
-            "feed_acceleration_mm_per_s2": 3000.0, "rotate_acceleration_deg_per_s2": 5000.0,
-            "bend_acceleration_deg_per_s2": 6000.0, "peg_time_ms": 60,
-            "home_fast_rate_deg_per_s": 200.0, "home_slow_rate_deg_per_s": 20.0, "home_back_off_deg": 3.0,
+            "feed_rate_mm_per_s": 300.0, "rotate_rate_deg_per_s": 720.0, "bend_rate_deg_per_s": 900.0,
+            "feed_acceleration_mm_per_s2": 6000.0, "rotate_acceleration_deg_per_s2": 10000.0,
+            "bend_acceleration_deg_per_s2": 12000.0, "peg_time_ms": 60,
+            "home_fast_rate_deg_per_s": 400.0, "home_slow_rate_deg_per_s": 20.0, "home_back_off_deg": 3.0,
         } },
     })
 }
