@@ -1258,6 +1258,13 @@ export type RemedyReport =
       remedy: "start_at_vertex";
     }
   | {
+      /**
+       * The length that it adds to what is travelled twice, in mm; less than zero where that is less.
+       */
+      added_mm: number;
+      remedy: "start_there";
+    }
+  | {
       remedy: "end_at_vertex";
     }
   | {

@@ -17,9 +17,10 @@ fn option(remedy: &RemedyReport) -> Option<&'static str> {
     match remedy {
         RemedyReport::DoubleEdges { .. } | RemedyReport::FindDoubling => Some("--double"),
         RemedyReport::Detour { .. } => Some("--detours"),
-        RemedyReport::StartAtVertex | RemedyReport::EndAtVertex | RemedyReport::ChooseStart => {
-            Some("--start VERTEX")
-        }
+        RemedyReport::StartAtVertex
+        | RemedyReport::StartThere { .. }
+        | RemedyReport::EndAtVertex
+        | RemedyReport::ChooseStart => Some("--start VERTEX"),
         RemedyReport::AvoidCollisions => Some("--avoid-collisions"),
         RemedyReport::SearchLonger => Some("--effort STEPS"),
         RemedyReport::AllowWires => Some("--wires N"),

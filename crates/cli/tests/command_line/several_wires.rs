@@ -1,5 +1,7 @@
 //! `--wires`: one design from several wires.
 
+use serde_json::Value;
+
 use crate::{assert_fits, example, run, run_in};
 
 fn plan(design: &str, rest: &[&str]) -> crate::Ran {
@@ -124,6 +126,43 @@ fn numbers_of_wires_that_cannot_be_are_refused() {
     let cube = example("cube.obj");
     let said = run(&["check", &cube, "-m", "wirebend-kit", "--wires", "1..2"]).ended(2).err;
     assert!(said.contains("give one number of wires"), "{said}");
+}
+
+/// A wire that starts at such a corner does not bend beyond the limit there, and is longer by what is said: before there is a route as
+/// with one.
+#[test]
+fn a_start_at_such_a_corner_adds_what_is_said() {
+    let length = |found: &Value| found["route"]["length_mm"].as_f64().unwrap();
+    let planned = |rest: &[&str]| {
+        plan("bunny.obj", &[&["--face-edges", "--double", "--json"], rest].concat()).ended(4).json()
+    };
+    let routed = planned(&[]);
+    let drawn =
+        run(&["check", &example("bunny.obj"), "-m", "wirebend-kit", "--face-edges", "--json"]).ended(4);
+    let sharp = |found: &Value| -> Vec<Value> {
+        let all = found["diagnostics"].as_array().unwrap().iter();
+        all.filter(|finding| finding["code"] == "bend_too_sharp").cloned().collect()
+    };
+    for found in [&routed, &drawn.json()] {
+        let forced = sharp(found);
+        let mut offered = 0;
+        for bend in &forced {
+            let remedies = bend["remedies"].as_array().unwrap();
+            let Some(there) = remedies.iter().find(|remedy| remedy["remedy"] == "start_there") else {
+                continue;
+            };
+            offered += 1;
+            let vertex = &bend["vertex"];
+            let started = planned(&["--start", &vertex.to_string()]);
+            assert!(sharp(&started).iter().all(|other| other["vertex"] != *vertex), "{started}");
+            let added = length(&started) - length(&routed);
+            assert!(
+                (there["added_mm"].as_f64().unwrap() - added).abs() < 1e-3,
+                "{added} at {vertex}: {there}"
+            );
+        }
+        assert_eq!((forced.len(), offered), (2, 2), "{forced:?}");
+    }
 }
 
 /// Two corners of the bunny bend too far whatever follows what there.

@@ -33,10 +33,11 @@ pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
         } else {
             continue;
         };
-        let mut remedies = vec![Remedy::OpenAngle, Remedy::StartAtVertex];
-        if severity == Severity::Error {
-            remedies.extend(location.vertices.iter().filter_map(|&vertex| Remedy::detour(wire, vertex)));
-        }
+        let around = location.vertices.iter().flat_map(|&vertex| Remedy::around(wire, vertex));
+        let around: Vec<Remedy> = around.filter(|_| severity == Severity::Error).collect();
+        let is_known = around.iter().any(|remedy| matches!(remedy, Remedy::StartThere { .. }));
+        let start = (!is_known).then_some(Remedy::StartAtVertex);
+        let remedies = [Remedy::OpenAngle].into_iter().chain(start).chain(around).collect();
         found.push(Diagnostic { severity, location, fact, remedies });
     }
     unreachable(wire, found);
@@ -50,8 +51,8 @@ fn unreachable(wire: &WireStages, found: &mut Vec<Diagnostic>) {
                 let reach = reach_limit(wire, bend);
                 let vertex = wire.vertex_of_step(failed.step);
                 let fact = Fact::BendOutOfReach { bend, of: of_step(wire, vertex), max, reach };
-                let detour = vertex.and_then(|vertex| Remedy::detour(wire, vertex));
-                (bend, fact, [Remedy::KeepBendBelow { max }].into_iter().chain(detour).collect())
+                let around = vertex.map_or_else(Vec::new, |vertex| Remedy::around(wire, vertex));
+                (bend, fact, [Remedy::KeepBendBelow { max }].into_iter().chain(around).collect())
             }
             BendError::TooSmall { bend } => {
                 (bend, Fact::BendTooSmall { bend }, vec![Remedy::EnlargeBend, Remedy::Straighten])

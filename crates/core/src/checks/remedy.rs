@@ -64,6 +64,11 @@ pub enum Remedy {
     ReduceOddVertices,
     /// Start the wire at the vertex.
     StartAtVertex,
+    /// Start the wire at the vertex, where no bend beyond the limit is then.
+    StartThere {
+        /// The length that it adds to what is travelled twice; less than zero where that is less.
+        added: Length,
+    },
     /// Start or end the wire at the vertex.
     EndAtVertex,
     /// Start the wire at another vertex.
@@ -144,10 +149,13 @@ impl Remedy {
         Self::DoubleEdges { edges: doubling.edges.clone(), added: doubling.added, design }
     }
 
-    /// The remedy of a bend at a vertex that no route avoids, where a detour does.
-    pub(crate) fn detour(wire: &WireStages, vertex: VertexId) -> Option<Self> {
-        let forced = wire.forced.iter().find(|forced| forced.vertex == vertex)?;
-        let Doubling { edges, added } = forced.detour.clone()?;
-        Some(Self::Detour { edges, added })
+    /// The remedies of a bend at a vertex that every route from elsewhere makes: a start there, and a detour, where they avoid it.
+    pub(crate) fn around(wire: &WireStages, vertex: VertexId) -> Vec<Self> {
+        let Some(forced) = wire.forced.iter().find(|forced| forced.vertex == vertex) else {
+            return Vec::new();
+        };
+        let start = forced.starting.map(|added| Self::StartThere { added });
+        let detour = forced.detour.clone().map(|Doubling { edges, added }| Self::Detour { edges, added });
+        start.into_iter().chain(detour).collect()
     }
 }

@@ -22,7 +22,7 @@ pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
             continue;
         };
         let mut remedies = vec![Remedy::OpenAngleOfTwo];
-        remedies.extend(Remedy::detour(wire, forced.vertex));
+        remedies.extend(Remedy::around(wire, forced.vertex));
         let location = Location { vertices: vec![forced.vertex], edges: forced.edges.to_vec(), step: None };
         found.push(Diagnostic { severity: Severity::Error, location, fact, remedies });
     }

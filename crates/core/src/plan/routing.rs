@@ -7,8 +7,11 @@ use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity};
 use crate::route::{
     Doubling, ForcedBend, Route, RouteError, RouteOptions, Routes, doubling, doublings, forced_bends, routes,
 };
-use crate::units::Angle;
+use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, Wireframe};
+
+/// Starts at forced bends are tried where they take no more than so many edges in all: each takes a doubling of the whole wire.
+const MAX_EDGES_OF_STARTS: usize = 20_000;
 
 /// The routes of a component, and what the checks need to know of the search for them.
 pub(super) struct Routed {
@@ -77,16 +80,51 @@ fn search(
         found.doubled.clone_from(&wanted.doubled);
     }
     match find_routes(wireframe, component, &wanted, options) {
-        Ok(Routes { routes, forced }) => (found.routes, found.forced) = (routes, forced),
+        Ok(Routes { routes, forced }) => {
+            (found.routes, found.forced) = (routes, forced);
+            say_starts(wireframe, component, options, &wanted, &mut found.forced);
+        }
         // The check of odd vertices says it with the cheapest way out; where a bend is in the way of that, it is said, too.
         Err(RouteError::Odd { .. }) => {
             let proposed = RouteOptions { doubled: found.proposal.edges.clone(), ..wanted };
             found.forced = forced_bends(wireframe, component, &proposed).unwrap_or_default();
+            say_starts(wireframe, component, options, &proposed, &mut found.forced);
         }
         Err(error) => {
             let offered = Some(&found.proposal).filter(|proposal| !proposal.edges.is_empty());
             let doubling = offered.map(|proposal| Remedy::double(proposal, wireframe, component));
             found.refusals.push(refusal(error, doubling));
+        }
+    }
+}
+
+/// Says of each forced bend what it takes to start the wire at its vertex, where the start is open and doubled edges are not chosen.
+fn say_starts(
+    wireframe: &Wireframe,
+    component: &Component,
+    options: &PlanOptions,
+    now: &RouteOptions,
+    forced: &mut [ForcedBend],
+) {
+    let is_open = options.start.is_none() && !options.closed && options.wires < 2 && !options.detours;
+    let chosen = matches!(&options.doubling, DoublingChoice::Accepted(edges) if !edges.is_empty());
+    if !is_open
+        || chosen
+        || !options.settled.is_empty()
+        || forced.len() * component.edges.len() > MAX_EDGES_OF_STARTS
+    {
+        return;
+    }
+    let length = |edges: &[EdgeId]| edges.iter().map(|&edge| wireframe.edge_length(edge)).sum::<Length>();
+    for bend in forced {
+        let start = Some(bend.vertex);
+        let Ok(Doubling { edges: doubled, added }) = doubling(wireframe, component, start, false) else {
+            continue;
+        };
+        let there = RouteOptions { doubled, start, ..now.clone() };
+        let left = forced_bends(wireframe, component, &there).unwrap_or_default();
+        if left.iter().all(|other| other.vertex != bend.vertex) {
+            bend.starting = Some(added - length(&now.doubled));
         }
     }
 }

@@ -8,7 +8,7 @@ use super::matching::min_cost_pairs;
 use super::network::Network;
 use super::pairing::{End, Pairing};
 use super::{Layout, RouteError, RouteOptions, layout};
-use crate::units::Angle;
+use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 
 /// By how much further the next search for walks goes, where those found leave open which are the shortest.
@@ -31,6 +31,9 @@ pub struct ForcedBend {
     /// all ends at once, and about half as long on small graphs of a plane (the tests compare). None where no
     /// walk leads back within the limit.
     pub detour: Option<Doubling>,
+    /// How much more length is travelled twice where the wire starts at this vertex instead, which no bend beyond the limit is at then;
+    /// less than zero where that is less. None where it was not asked, or does not help.
+    pub starting: Option<Length>,
 }
 
 /// The vertices at which every route with these options has a bend beyond the limit, where one may be missing: as
@@ -91,6 +94,7 @@ fn forced_at(wireframe: &Wireframe, pairing: &Pairing, vertex: usize, detours: &
             let added = edges.iter().map(|&edge| wireframe.edge_length(edge)).sum();
             Doubling { edges, added }
         }),
+        starting: None,
     }
 }
 

@@ -1,5 +1,6 @@
 //! For what depends on where the wire begins: another start.
 
+use wirebend_core::checks::Remedy;
 use wirebend_core::plan::WirePlan;
 use wirebend_core::wireframe::VertexId;
 use wirebend_files::document::Document;
@@ -21,6 +22,21 @@ pub(super) fn anywhere(finding: Finding, document: &Document) -> Vec<Candidate> 
     document.start.filter(|&start| here(start)).map(|_| clear).into_iter().collect()
 }
 
+/// The vertex of a bend that every route from elsewhere makes. Where there is a route, another start is chosen by what it comes to.
+pub(super) fn there(finding: Finding) -> Option<Candidate> {
+    let helps = |remedy: &Remedy| matches!(remedy, Remedy::StartThere { .. });
+    let has_none = finding.wire.is_some_and(|wire| wire.route.is_none());
+    let vertex = finding.diagnostic.location.vertices.first().filter(|_| has_none)?;
+    finding.diagnostic.remedies.iter().any(helps).then(|| at(*vertex))
+}
+
+fn at(start: VertexId) -> Candidate {
+    Candidate {
+        title: format!("Start at vertex {start}"),
+        edit: EditRequest::Start { vertex: Some(start.0) },
+    }
+}
+
 /// The same wire from its other end.
 pub(super) fn reversed(document: &Document) -> Candidate {
     let edit = EditRequest::Reversed { reversed: !document.reversed };
@@ -37,10 +53,7 @@ pub(super) fn elsewhere(finding: Finding, trials: &mut Trials) -> Option<Candida
     }
     let mut best: Option<((usize, usize), Candidate)> = None;
     for start in possible(trials.document(), wire, finding.diagnostic.location.vertices.first().copied()) {
-        let candidate = Candidate {
-            title: format!("Start at vertex {start}"),
-            edit: EditRequest::Start { vertex: Some(start.0) },
-        };
+        let candidate = at(start);
         let Some(trial) = trials.of(&candidate.edit) else { continue };
         let trouble = trials.trouble(&trial);
         if best.as_ref().is_none_or(|(least, _)| trouble < *least) {

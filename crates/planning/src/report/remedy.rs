@@ -58,6 +58,11 @@ pub enum RemedyReport {
     ReduceOddVertices,
     /// Start the wire at the vertex.
     StartAtVertex,
+    /// Start the wire at the vertex, where no bend beyond the limit is then.
+    StartThere {
+        /// The length that it adds to what is travelled twice, in mm; less than zero where that is less.
+        added_mm: f64,
+    },
     /// Start or end the wire at the vertex.
     EndAtVertex,
     /// Start the wire at another vertex.
@@ -160,6 +165,7 @@ impl From<&Remedy> for RemedyReport {
             Remedy::FindDoubling => Self::FindDoubling,
             Remedy::ReduceOddVertices => Self::ReduceOddVertices,
             Remedy::StartAtVertex => Self::StartAtVertex,
+            Remedy::StartThere { added } => Self::StartThere { added_mm: added.mm() },
             Remedy::EndAtVertex => Self::EndAtVertex,
             Remedy::ChooseStart => Self::ChooseStart,
             Remedy::LeaveStartOpen => Self::LeaveStartOpen,

@@ -1,6 +1,7 @@
 //! What can be done, as clauses that begin with a verb.
 
 use wirebend_core::checks::Remedy;
+use wirebend_core::units::Length;
 
 use super::number::count;
 
@@ -35,6 +36,13 @@ pub(super) fn clause(remedy: &Remedy) -> String {
         Remedy::Detour { edges, added } => {
             let edges = count(edges.len(), "more edge", "more edges");
             return format!("take a detour: run the wire along {edges} twice, which adds {added:.1}");
+        }
+        Remedy::StartThere { added } if added.mm().abs() < 0.05 => {
+            "start the wire at this vertex, which adds no length"
+        }
+        Remedy::StartThere { added } => {
+            let adds = if *added > Length::ZERO { "adds" } else { "saves" };
+            return format!("start the wire at this vertex, which {adds} {:.1}", added.abs());
         }
         Remedy::FindDoubling => "run the wire along the cheapest edges twice",
         Remedy::ReduceOddVertices => "add and delete edges until at most two corners are odd",

@@ -84,6 +84,7 @@ fn every_remedy_is_a_clause() {
         Remedy::FindDoubling,
         Remedy::ReduceOddVertices,
         Remedy::StartAtVertex,
+        Remedy::StartThere { added: mm(12.5) },
         Remedy::EndAtVertex,
         Remedy::ChooseStart,
         Remedy::LeaveStartOpen,
