@@ -1,6 +1,7 @@
 //! Fixes that bend a design from several wires, and fixes of a design that is.
 
 use serde_json::json;
+use wirebend_core::checks::Code;
 use wirebend_editor::{EditRequest, Editor};
 use wirebend_planning::Installation;
 
@@ -86,4 +87,24 @@ fn a_detour_keeps_what_is_doubled() {
             assert!(doubled.iter().all(|edge| edges.contains(edge)), "{edges:?} without some of {doubled:?}");
         }
     }
+}
+
+/// Where a wire is not to bend too far it may begin, which is offered before any edges are doubled; with those that it takes then, the
+/// bend is gone.
+#[test]
+fn a_start_at_a_bend_that_is_too_sharp_is_offered_before_there_is_a_route() {
+    let mut editor = frame("bunny.obj");
+    let fixes = editor.fixes(&app()).unwrap();
+    let is_start = |title: &str| title.starts_with("Start at");
+    let starts: Vec<_> =
+        fixes.iter().filter(|fix| fix.mends.code == Code::BendTooSharp && is_start(&fix.title)).collect();
+    assert_eq!(starts.len(), 2, "{:?}", titles(&fixes, "bend_too_sharp"));
+    let EditRequest::Start { vertex: Some(start) } = starts[0].edit else { panic!("{:?}", starts[0]) };
+    editor.edit(&app(), &starts[0].edit).unwrap();
+    let fixes = editor.fixes(&app()).unwrap();
+    let doubled = fixes.iter().find(|fix| fix.mends.code == Code::NoEulerPath).unwrap();
+    editor.edit(&app(), &doubled.edit).unwrap();
+    let check = editor.check(&app(), &[]).unwrap();
+    let sharp = check.diagnostics.iter().filter(|one| one.code == Code::BendTooSharp);
+    assert!(sharp.clone().all(|one| one.vertex != Some(start)), "{start}: {check:?}");
 }
