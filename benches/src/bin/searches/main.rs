@@ -13,9 +13,11 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, Result, ensure};
 use wirebend_benches::bender::nearest;
 use wirebend_benches::{design, machine};
-use wirebend_core::clearance::passages;
-use wirebend_core::plan::{DoublingChoice, Machine, PlanObserver, PlanOptions, Stage, WirePlan, plan_wires};
-use wirebend_core::search::SearchOptions;
+use wirebend_core::clearance::{Obstacle, passages};
+use wirebend_core::plan::{
+    DoublingChoice, Machine, PlanObserver, PlanOptions, Searched, Stage, WirePlan, plan_wires,
+};
+use wirebend_core::search::{Obstruction, SearchOptions};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::Wireframe;
 
@@ -140,6 +142,7 @@ fn show(name: &str, wireframe: &Wireframe, machine: &Machine, time: Duration) ->
         component.edges.len(),
         contacts(&plain)
     );
+    let mut in_the_way = String::new();
     let mut clear = [false; 2];
     for (clear, max_wires) in clear.iter_mut().zip(WIRES) {
         // One wire has all of the time; with two each number has its share of steps.
@@ -161,11 +164,30 @@ fn show(name: &str, wireframe: &Wireframe, machine: &Machine, time: Duration) ->
             true => format!("{} wires", found.len()),
             false => format!("{} left", contacts(&found)),
         };
+        if let (false, 1, Some(searched)) = (*clear, max_wires, searched) {
+            in_the_way = obstacle(machine, &searched);
+        }
         let checks = searched.map_or(0, |searched| searched.checks);
         write!(line, " | {came_to:>9} {checks:>8} {seconds:>7.1} {length:>8.0}")?;
     }
-    println!("{line}");
+    println!("{line} {in_the_way}");
     Ok(Shown { first_clear: contacts(&plain) == 0, clear })
+}
+
+/// What is in the way of one wire where the search came farthest.
+fn obstacle(machine: &Machine, searched: &Searched) -> String {
+    let Some(Obstruction { passed, of, obstacle, .. }) = searched.obstruction else {
+        return "not searched: no route is free of bends beyond the limits".to_owned();
+    };
+    let what = match obstacle {
+        Some(Obstacle::Body(index)) => {
+            machine.bodies.all.get(index).map_or("a body", |body| body.name.as_str())
+        }
+        Some(Obstacle::Stock) => "its own wire",
+        None => "the turn of the head",
+    };
+    let all = if searched.exhausted { ", every walk tried" } else { "" };
+    format!("one wire: {what} at edge {passed} of {of}{all}")
 }
 
 fn contacts(wires: &[WirePlan]) -> usize {
