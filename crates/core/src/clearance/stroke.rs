@@ -192,27 +192,25 @@ impl AxisPath {
         let parts = if in_parts && peg.is_some() { (pressed / PART_OF_BEND).ceil().max(1.0) } else { 1.0 };
         let mut bent = 0.0;
         let mut bending = Vec::new();
-        let touching = peg.and_then(|peg| peg.axis_for(Angle::ZERO));
-        let touch = touching.map_or_else(
-            // It stands as far from the wire on this side as it does at rest.
-            || -side * bodies.peg_rest.abs().rad() - bodies.peg_rest.rad(),
-            |touch| side * touch.rad(),
-        );
+        let beside = |bent: Angle| peg.and_then(|peg| peg.axis_for(bent)).map(|axis| side * axis.rad());
+        let touching = beside(Angle::ZERO);
+        // Without a peg it stands as far from the wire on this side as it does at rest.
+        let straight =
+            touching.unwrap_or_else(|| -side * bodies.peg_rest.abs().rad() - bodies.peg_rest.rad());
         let clear = if touching.is_some() { side * bodies.approach.rad() } else { 0.0 };
-        let touch = moves.approach.map_or(touch, |approach| approach.rad() + clear);
+        let touch = moves.approach.map_or(straight, |approach| approach.rad() + clear);
         let begin = touch - clear;
         let end = if touching.is_some() { moves.told.rad() } else { touch + moves.told.rad() };
-        // A corner within the peg's reach makes it go elsewhere in the end; on the way there it does so little by little.
-        let elsewhere =
-            peg.and_then(|peg| peg.axis_for(moves.pressed)).map_or(0.0, |axis| end - side * axis.rad());
+        // A corner within the peg's reach makes it touch the wire and end elsewhere; from the one to the other it goes little by little.
+        let off = [touch - straight, beside(moves.pressed).map_or(0.0, |axis| end - axis)];
         let mut part = 0.0;
         while part < parts {
             part += 1.0;
             bent = if part < parts { pressed * part / parts } else { pressed.max(bent) };
-            let follows = peg.filter(|_| part < parts).and_then(|peg| peg.axis_for(Angle::computed(bent)));
-            let axis = follows.map_or(touch + (end - touch) * part / parts, |axis| {
-                side * axis.rad() + elsewhere * part / parts
-            });
+            let share = part / parts;
+            let follows = beside(Angle::computed(bent)).filter(|_| part < parts);
+            let axis = follows
+                .map_or(touch + (end - touch) * share, |axis| axis + off[0] + (off[1] - off[0]) * share);
             bending.push((bent, axis));
         }
         Self { begin, touch, bending }
@@ -227,7 +225,7 @@ mod tests {
     use crate::testing::{deg, mm, published_machine};
 
     /// The peg comes out and goes in where the program has it, on either side; where it says nothing, 5 degrees before it touches
-    /// straight wire.
+    /// straight wire. From there it turns evenly to where the bend ends: a bend of 40 degrees is four parts.
     #[test]
     fn the_peg_comes_out_where_the_program_has_it() {
         let machine = published_machine();
@@ -246,6 +244,11 @@ mod tests {
                     approach,
                 };
                 let all = strokes(&moves, &bodies, peg, true);
+                let bending = all.iter().filter(|stroke| stroke.to.bent > stroke.from.bent);
+                let turns: Vec<f64> =
+                    bending.map(|stroke| side * (stroke.to.axis - stroke.from.axis)).collect();
+                let [least, most] = [f64::min, f64::max].map(|of| turns.iter().copied().reduce(of).unwrap());
+                assert!(turns.len() == 4 && least > 0.0 && most < 1.5 * least, "{approach:?}: {turns:?}");
                 for (phase, at) in [(Phase::PegOut, expected), (Phase::PegIn, expected), (Phase::Return, 0.0)]
                 {
                     let stroke = all.iter().find(|stroke| stroke.phase == phase).unwrap();
