@@ -54,6 +54,8 @@ pub struct Bender<'a> {
     /// What is left to be fed, and the tail.
     stock: f64,
     bend_before: f64,
+    /// Of each step where the peg comes out and where the bend axis ends, radians; none where that is as beside straight wire.
+    goes: Vec<Option<[f64; 2]>>,
 }
 
 /// When in its step something is: the phase, and how much of it has passed. While the peg comes to the wire before it bends that counts from
@@ -88,7 +90,15 @@ impl<'a> Bender<'a> {
             peg_in: machine.bodies.peg_stroke.mm(),
             stock: fed(machine, steps) + machine.limits.tail.value.mm(),
             bend_before: 0.0,
+            goes: Vec::new(),
         }
+    }
+
+    /// The same with where the peg comes out and where the bend axis ends in each step, radians.
+    #[must_use]
+    pub fn with_axes(mut self, goes: Vec<Option<[f64; 2]>>) -> Self {
+        self.goes = goes;
+        self
     }
 
     /// How far a bend is pressed before it springs back.
@@ -98,13 +108,17 @@ impl<'a> Bender<'a> {
         springback.map_or(bend, |model| model.bend_to(bend)).abs().rad()
     }
 
-    /// Where the axis begins to bend, touches the wire, and ends, radians.
+    /// Where the axis begins to bend, touches the wire, and ends in a step, radians.
     #[must_use]
-    pub fn axes(machine: &Machine, step: &Step) -> Option<[f64; 3]> {
-        let model = &machine.compensation.bend;
+    pub fn axes(&self, index: usize, step: &Step) -> Option<[f64; 3]> {
+        let model = &self.machine.compensation.bend;
         let side = step.bend.signum();
+        let clear = side * self.machine.bodies.approach.rad();
+        if let Some([begin, end]) = self.goes.get(index).copied().flatten() {
+            return Some([begin, begin + clear, end]);
+        }
         let touch = side * model.setback.as_ref()?.axis_for(Angle::ZERO)?.rad();
-        Some([touch - side * machine.bodies.approach.rad(), touch, model.command(step.bend).ok()?.rad()])
+        Some([touch - clear, touch, model.command(step.bend).ok()?.rad()])
     }
 
     /// Runs a step. `also`: moments at which it has to be seen besides.
@@ -156,10 +170,17 @@ impl<'a> Bender<'a> {
         let (side, pressed) = (step.bend.signum(), Self::pressed(self.machine, step.bend));
         let machine = self.machine;
         let Some((peg, [begin, touch, end])) =
-            machine.compensation.bend.setback.as_ref().zip(Self::axes(machine, step))
+            machine.compensation.bend.setback.as_ref().zip(self.axes(self.step, step))
         else {
             return;
         };
+        let beside = |bent: f64| {
+            let axis = peg.axis_for(Angle::from_deg(bent.to_degrees()).unwrap_or(Angle::ZERO));
+            axis.map(|axis| side * axis.rad())
+        };
+        // How far from beside straight wire it touches, and ends.
+        let [first, last] = [(0.0, touch), (pressed, end)]
+            .map(|(bent, axis)| beside(bent).map_or(0.0, |beside| axis - beside));
         let rest = self.peg_in;
         self.swing([0.0, begin], Phase::Approach, also, see);
         self.slide([rest, 0.0], Phase::PegOut, also, see);
@@ -172,9 +193,8 @@ impl<'a> Bender<'a> {
         for part in self.parts(pressed / TURN, Phase::Bend, also) {
             let next = pressed * part;
             self.turn(side, f64::midpoint(bent, next), next - bent);
-            let axis = peg.axis_for(Angle::from_deg(next.to_degrees()).unwrap_or(Angle::ZERO));
-            (bent, self.axis) =
-                (next, if part < 1.0 { axis.map_or(end, |axis| side * axis.rad()) } else { end });
+            let axis = beside(next).filter(|_| part < 1.0).map(|axis| axis + first + (last - first) * part);
+            (bent, self.axis) = (next, axis.unwrap_or(end));
             see((Phase::Bend, part), self);
         }
         for part in self.parts((end - begin).abs() / TURN, Phase::Release, also) {

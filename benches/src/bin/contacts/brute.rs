@@ -1,14 +1,21 @@
 //! Contacts against a bender that is looked at again and again.
 
 use anyhow::{Result, anyhow, ensure};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 use wirebend_benches::bender::{Bender, Moment};
-use wirebend_core::bend::Step;
-use wirebend_core::clearance::{Contact, MovesWith, Obstacle, Phase};
+use wirebend_core::bend::{Frame, Step};
+use wirebend_core::clearance::{Clearance, Contact, MovesWith, Obstacle, Passage, Phase, StockWire};
 use wirebend_core::plan::Machine;
+use wirebend_core::units::{Angle, Length};
+use wirebend_core::wireframe::{EdgeId, VertexId};
 
 /// The first contact is this exact, mm. The peg of the bender follows the wire exactly, that of the check in straight parts.
 const EXACT: f64 = 0.01;
 const EXACT_OF_PEG: f64 = 0.05;
+
+/// So many vertices have the wires that run along the edges between a few.
+const VERTICES: u32 = 6;
 
 /// What is seen of an obstacle in a step.
 #[derive(Clone, Copy)]
@@ -50,32 +57,98 @@ pub fn compare(machine: &Machine, programs: u64) -> Result<()> {
         })
     })?;
     println!(
-        "{programs} random programs seen at every 0.05 degrees and mm: {} contacts, none missed, none too many; at the first contact \
+        "{programs} random programs, a quarter each plain, with a margin, along shared vertices and with a bend axis of its own, seen at every 0.05 degrees and mm: {} contacts, none missed, none too many; at the first contact \
          at most {:.4} mm from touching ({:.4} mm where the peg is what is met)",
         all.contacts, all.apart[1], all.apart[0]
     );
     Ok(())
 }
 
+/// A program, and how it is run.
+struct Case {
+    steps: Vec<Step>,
+    passages: Vec<Vec<(Passage, Length)>>,
+    /// mm.
+    margin: f64,
+    /// Where the peg comes out and where the bend axis ends, radians.
+    goes: Vec<Option<[f64; 2]>>,
+}
+
+impl Case {
+    /// One after the other: plain, with a margin, along the edges of a few vertices, and with a bend axis that goes elsewhere than beside
+    /// straight wire.
+    fn of(machine: &Machine, seed: u64) -> Result<Self> {
+        let steps = super::program(seed, usize::try_from(1 + seed % 9)?)?;
+        let mut random = ChaCha8Rng::seed_from_u64(!seed);
+        let mut case = Self { passages: super::passages(&steps), steps, margin: 0.0, goes: Vec::new() };
+        match seed % 4 {
+            1 => case.margin = random.random_range(0.1..5.0),
+            2 => {
+                let mut from = 0;
+                for (passage, _) in case.passages.iter_mut().flatten() {
+                    let to = (from + random.random_range(1..VERTICES)) % VERTICES;
+                    let edge = EdgeId(from.min(to) * VERTICES + from.max(to));
+                    *passage = Passage { edge, from: VertexId(from), to: VertexId(to) };
+                    from = to;
+                }
+            }
+            3 => {
+                let bender = Bender::new(machine, &case.steps, case.passages.clone(), 1.0);
+                let goes = case.steps.iter().enumerate().map(|(k, step)| {
+                    let side = step.bend.signum();
+                    let earlier = random.random_range(0.0..0.4);
+                    let farther = random.random_range(-0.1..0.15);
+                    let [begin, _, end] = bender.axes(k, step).filter(|_| step.bend != Angle::ZERO)?;
+                    Some([begin - side * earlier, end + side * farther])
+                });
+                case.goes = goes.collect();
+            }
+            _ => {}
+        }
+        Ok(case)
+    }
+
+    /// All contacts that the check finds.
+    fn contacts(&self, machine: &Machine) -> Result<Vec<Contact>> {
+        let told = |(k, step): (usize, &Step)| -> Result<Step> {
+            let goes = self.goes.get(k).copied().flatten();
+            let bend = goes.map_or(Ok(step.bend), |[_, end]| Angle::from_deg(end.to_degrees()))?;
+            Ok(Step { bend, ..*step })
+        };
+        let told = self.steps.iter().enumerate().map(told).collect::<Result<Vec<_>>>()?;
+        let approach =
+            |goes: &Option<[f64; 2]>| goes.map(|[begin, _]| Angle::from_deg(begin.to_degrees())).transpose();
+        let approaches = self.goes.iter().map(approach).collect::<Result<Vec<_>, _>>()?;
+        let wire = StockWire { margin: Length::from_mm(self.margin)?, ..super::stock(machine) };
+        let told = (!self.goes.is_empty()).then_some(told.as_slice());
+        let bend = &machine.compensation.bend;
+        let start = (Frame::default(), self.steps.as_slice());
+        let clearance = Clearance::new(start, told, self.passages.clone(), wire, &machine.bodies, bend);
+        Ok(super::contacts(clearance.with_approaches(approaches)))
+    }
+}
+
 fn compare_one(machine: &Machine, seed: u64) -> Result<Compared> {
-    let steps = super::program(seed, usize::try_from(1 + seed % 9)?)?;
-    let found = super::contacts(machine, &steps);
+    let case = Case::of(machine, seed)?;
+    let (found, steps) = (case.contacts(machine)?, &case.steps);
     let obstacles: Vec<Obstacle> =
         (0..machine.bodies.all.len()).map(Obstacle::Body).chain([Obstacle::Stock]).collect();
-    let radius = machine.wire.diameter.mm() / 2.0;
-    let mut bender = Bender::new(machine, &steps, super::passages(&steps), 1.0);
+    let radius = machine.wire.diameter.mm() / 2.0 + case.margin;
+    let mut bender = Bender::new(machine, steps, case.passages.clone(), 1.0).with_axes(case.goes.clone());
     let mut all = Compared::default();
     let mut before = vec![false; obstacles.len()];
     for (k, step) in steps.iter().enumerate() {
         let own = |obstacle: Obstacle| found.iter().find(|one| one.step == k && one.obstacle == obstacle);
-        let moments: Vec<Option<Moment>> =
-            obstacles.iter().map(|&one| own(one).map(|contact| moment(machine, step, contact))).collect();
+        let moments: Vec<Option<Moment>> = obstacles
+            .iter()
+            .map(|&one| own(one).map(|contact| moment(&bender, machine, (k, step), contact)))
+            .collect();
         let also: Vec<Moment> = moments.iter().flatten().copied().collect();
         let mut seen =
             vec![Seen { first: None, least: f64::INFINITY, at_contact: f64::NAN }; obstacles.len()];
         bender.run(step, &also, &mut |now, bender| {
             for ((seen, &obstacle), at) in seen.iter_mut().zip(&obstacles).zip(&moments) {
-                look(seen, machine, obstacle, now, *at == Some(now), bender);
+                look(seen, radius, obstacle, (now, *at == Some(now)), bender);
             }
         });
         for (((seen, &obstacle), at), before) in seen.iter().zip(&obstacles).zip(&moments).zip(&mut before) {
@@ -112,31 +185,24 @@ fn compare_one(machine: &Machine, seed: u64) -> Result<Compared> {
     Ok(all)
 }
 
-fn look(
-    seen: &mut Seen,
-    machine: &Machine,
-    obstacle: Obstacle,
-    now: Moment,
-    is_contact: bool,
-    bender: &Bender,
-) {
+fn look(seen: &mut Seen, reach: f64, obstacle: Obstacle, (now, is_contact): (Moment, bool), bender: &Bender) {
     let Some(distance) = bender.distance_of(obstacle, now.0) else { return };
     if is_contact {
         seen.at_contact = distance;
     }
     seen.least = seen.least.min(distance);
-    if distance < machine.wire.diameter.mm() / 2.0 && seen.first.is_none() {
+    if distance < reach && seen.first.is_none() {
         seen.first = Some(now);
     }
 }
 
 /// When the bender is where the check reports a contact.
-fn moment(machine: &Machine, step: &Step, contact: &Contact) -> Moment {
+fn moment(bender: &Bender, machine: &Machine, (index, step): (usize, &Step), contact: &Contact) -> Moment {
     if contact.phase != Phase::Bend {
         return (contact.phase, contact.passed);
     }
     let bent = contact.bent.abs().rad() / Bender::pressed(machine, step.bend);
-    let part = match Bender::axes(machine, step) {
+    let part = match bender.axes(index, step) {
         Some([begin, touch, end]) if bent <= 0.0 => contact.passed * (end - begin) / (touch - begin) - 1.0,
         _ => bent,
     };

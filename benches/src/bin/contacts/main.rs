@@ -87,20 +87,22 @@ fn passages(steps: &[Step]) -> Vec<Vec<(Passage, Length)>> {
     (0..).zip(steps).map(passage).collect()
 }
 
-fn clearance<'a>(machine: &'a Machine, steps: &[Step]) -> Clearance<'a> {
-    let wire = StockWire {
+fn stock(machine: &Machine) -> StockWire {
+    StockWire {
         diameter: machine.wire.diameter,
         bend_radius: machine.bend_radius,
         tail: machine.limits.tail.value,
         margin: Length::ZERO,
         hangs: None,
-    };
+    }
+}
+
+fn clearance<'a>(machine: &'a Machine, steps: &[Step]) -> Clearance<'a> {
     let bend = &machine.compensation.bend;
-    Clearance::new((Frame::default(), steps), None, passages(steps), wire, &machine.bodies, bend)
+    Clearance::new((Frame::default(), steps), None, passages(steps), stock(machine), &machine.bodies, bend)
 }
 
 /// All contacts of a program.
-fn contacts(machine: &Machine, steps: &[Step]) -> Vec<Contact> {
-    let mut clearance = clearance(machine, steps);
+fn contacts(mut clearance: Clearance) -> Vec<Contact> {
     (0..clearance.steps()).flat_map(|step| clearance.contacts_of(step)).collect()
 }

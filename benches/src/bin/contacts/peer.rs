@@ -58,7 +58,7 @@ pub fn compare(machine: &Machine, python: &str) -> Result<()> {
     let mut best = f64::INFINITY;
     for _ in 0..super::RUNS {
         let begin = Instant::now();
-        std::hint::black_box(super::contacts(machine, &steps));
+        std::hint::black_box(super::contacts(super::clearance(machine, &steps)));
         best = best.min(begin.elapsed().as_secs_f64());
     }
     println!(
