@@ -237,11 +237,6 @@ export function watchPointer(tell: string): void {
       // It follows a click, which the page has heard of by now.
       if (target instanceof HTMLInputElement && ["checkbox", "radio"].includes(target.type)) return;
       look(true);
-      // Its list was chosen from with the pointer on it, wherever a test has left that.
-      if (target instanceof HTMLSelectElement) {
-        const { left, top, width, height } = target.getBoundingClientRect();
-        at = { x: left + width / 2, y: top + height / 2 };
-      }
       keep(`a value of ${target instanceof Element ? name(target) : "?"}`);
     },
     capture,
