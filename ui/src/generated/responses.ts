@@ -1255,14 +1255,11 @@ export type RemedyReport =
       remedy: "reduce_odd_vertices";
     }
   | {
-      remedy: "start_at_vertex";
-    }
-  | {
       /**
-       * The length that it adds to what is travelled twice, in mm; less than zero where that is less.
+       * The change in doubled length, in mm, where no bend there is beyond the limit then; negative where it gets shorter.
        */
-      added_mm: number;
-      remedy: "start_there";
+      added_mm?: number | null;
+      remedy: "start_at_vertex";
     }
   | {
       remedy: "end_at_vertex";

@@ -17,10 +17,12 @@ fn option(remedy: &RemedyReport) -> Option<&'static str> {
     match remedy {
         RemedyReport::DoubleEdges { .. } | RemedyReport::FindDoubling => Some("--double"),
         RemedyReport::Detour { .. } => Some("--detours"),
-        RemedyReport::StartAtVertex
-        | RemedyReport::StartThere { .. }
-        | RemedyReport::EndAtVertex
-        | RemedyReport::ChooseStart => Some("--start VERTEX"),
+        RemedyReport::StartAtVertex { added_mm: Some(added) } if *added > 0.0 => {
+            Some("--start VERTEX --double")
+        }
+        RemedyReport::StartAtVertex { .. } | RemedyReport::EndAtVertex | RemedyReport::ChooseStart => {
+            Some("--start VERTEX")
+        }
         RemedyReport::AvoidCollisions => Some("--avoid-collisions"),
         RemedyReport::SearchLonger => Some("--effort STEPS"),
         RemedyReport::AllowWires => Some("--wires N"),
@@ -76,7 +78,11 @@ mod tests {
 
     #[test]
     fn an_option_is_named_once() {
-        let remedies = [RemedyReport::ChooseStart, RemedyReport::LeaveStartOpen, RemedyReport::StartAtVertex];
+        let remedies = [
+            RemedyReport::ChooseStart,
+            RemedyReport::LeaveStartOpen,
+            RemedyReport::StartAtVertex { added_mm: None },
+        ];
         assert_eq!(of(&remedies), ["--start VERTEX"]);
         assert_eq!(of(&[RemedyReport::OpenAngle]), [""; 0]);
     }

@@ -67,20 +67,25 @@ fn crossing_struts_are_an_error_with_their_place_and_what_to_do() {
 fn what_comes_too_close_presses_or_snaps_past_by_the_bend_that_brings_it_there() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("beside.obj");
-    let said = |x: &str, start: &str| {
+    let said = |machine: &str, x: &str, start: &str| {
         let strut = format!("v {x} -80 0\nv {x} -20 0\nv {x} -20 60\n");
         let rest = "v 60 -20 60\nv 60 0 0\nv 0 0 0\nv 0 -100 0\nl 1 2 3 4 5 6 7\n";
         fs::write(&file, strut + rest).unwrap();
-        run(&["check", file.to_str().unwrap(), "-m", "table-bender", "--start", start]).err
+        run(&["check", file.to_str().unwrap(), "-m", machine, "--start", start]).err
     };
-    let snaps = "in the bend at vertex 5 one snaps past the other, and they press on each other from then on";
-    for (x, start, expected) in [
-        ("-2", "0", snaps),
-        ("2", "0", "they press on each other from the bend at vertex 5 on"),
-        ("-2", "6", "they press on each other from the bend at vertex 1 on"),
+    let snaps = "in the bend of step 5 at vertex 5 one snaps past the other, and they press on each other from then on";
+    for (machine, x, start, expected) in [
+        ("table-bender", "-2", "0", snaps),
+        // Pressed 10 degrees farther than it stays, it goes past and comes back.
+        ("wirebend-kit", "2", "0", snaps),
+        ("table-bender", "2", "0", "they press on each other from the bend of step 5 at vertex 5 on"),
+        ("table-bender", "-2", "6", "they press on each other from the bend of step 5 at vertex 1 on"),
     ] {
-        let said = said(x, start);
-        assert!(said.contains("warning[edges_meet]") && said.contains(expected), "{x} from {start}: {said}");
+        let said = said(machine, x, start);
+        assert!(
+            said.contains("warning[edges_meet]") && said.contains(expected),
+            "{machine}, {x} from {start}: {said}"
+        );
     }
 }
 

@@ -148,7 +148,10 @@ fn a_start_at_such_a_corner_adds_what_is_said() {
         let mut offered = 0;
         for bend in &forced {
             let remedies = bend["remedies"].as_array().unwrap();
-            let Some(there) = remedies.iter().find(|remedy| remedy["remedy"] == "start_there") else {
+            let Some(there) = remedies
+                .iter()
+                .find(|remedy| remedy["added_mm"].is_number() && remedy["remedy"] == "start_at_vertex")
+            else {
                 continue;
             };
             offered += 1;

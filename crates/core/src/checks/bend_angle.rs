@@ -33,11 +33,11 @@ pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
         } else {
             continue;
         };
-        let around = location.vertices.iter().flat_map(|&vertex| Remedy::around(wire, vertex));
-        let around: Vec<Remedy> = around.filter(|_| severity == Severity::Error).collect();
-        let is_known = around.iter().any(|remedy| matches!(remedy, Remedy::StartThere { .. }));
-        let start = (!is_known).then_some(Remedy::StartAtVertex);
-        let remedies = [Remedy::OpenAngle].into_iter().chain(start).chain(around).collect();
+        let around = match (severity, location.vertices.first()) {
+            (Severity::Error, Some(&vertex)) => Remedy::around(wire, vertex),
+            _ => vec![Remedy::StartAtVertex { added: None }],
+        };
+        let remedies = [Remedy::OpenAngle].into_iter().chain(around).collect();
         found.push(Diagnostic { severity, location, fact, remedies });
     }
     unreachable(wire, found);
@@ -51,7 +51,9 @@ fn unreachable(wire: &WireStages, found: &mut Vec<Diagnostic>) {
                 let reach = reach_limit(wire, bend);
                 let vertex = wire.vertex_of_step(failed.step);
                 let fact = Fact::BendOutOfReach { bend, of: of_step(wire, vertex), max, reach };
-                let around = vertex.map_or_else(Vec::new, |vertex| Remedy::around(wire, vertex));
+                let forced =
+                    vertex.filter(|_| matches!(fact, Fact::BendOutOfReach { of: BendOf::Forced, .. }));
+                let around = forced.map_or_else(Vec::new, |vertex| Remedy::around(wire, vertex));
                 (bend, fact, [Remedy::KeepBendBelow { max }].into_iter().chain(around).collect())
             }
             BendError::TooSmall { bend } => {
@@ -66,12 +68,12 @@ fn unreachable(wire: &WireStages, found: &mut Vec<Diagnostic>) {
             BendError::CornerTooNear { bend } => (
                 bend,
                 Fact::CornerTooNear { bend },
-                vec![Remedy::LengthenEdge { by: None }, Remedy::StartAtVertex],
+                vec![Remedy::LengthenEdge { by: None }, Remedy::StartAtVertex { added: None }],
             ),
             BendError::LeadTooShort { bend, lead, needed } => {
                 let by = (needed > lead).then(|| needed - lead);
                 let fact = Fact::LeadTooShort { bend, lead, needed };
-                (bend, fact, vec![Remedy::LengthenEdge { by }, Remedy::StartAtVertex])
+                (bend, fact, vec![Remedy::LengthenEdge { by }, Remedy::StartAtVertex { added: None }])
             }
             BendError::FoldBack { bend } => {
                 (bend, Fact::FoldBackNotCompensated { bend }, vec![Remedy::OpenAngle])

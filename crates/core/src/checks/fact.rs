@@ -14,7 +14,7 @@ use crate::search::Helps;
 use crate::sequence::Violation;
 use crate::units::{Angle, Length};
 use crate::wireframe::{EdgeId, VertexId};
-pub use bend_of::{BendOf, Brought};
+pub use bend_of::{BendOf, ClosingBend};
 
 /// What a finding says, beyond how bad it is and where.
 ///
@@ -62,8 +62,8 @@ pub enum Fact {
         distance: Length,
         /// Diameter of the wire.
         diameter: Length,
-        /// What brings them together, where a wire has a program along both.
-        brought: Option<Brought>,
+        /// The bend that closes the gap, where a wire has a program along both.
+        closing: Option<ClosingBend>,
     },
     /// A vertex has no edge.
     IsolatedVertex {

@@ -28,7 +28,7 @@ mod wire_diameter;
 pub use code::Code;
 pub use design::{Design, check_crossings, check_design};
 pub use diagnostic::{Diagnostic, Location, Severity};
-pub use fact::{BendOf, Brought, Fact};
+pub use fact::{BendOf, ClosingBend, Fact};
 pub use limit::{Limit, LimitSource, Quantity, ReachLimit, Source, Sourced};
 pub use remedy::Remedy;
 pub use strength::TORQUE_MARGIN;

@@ -1,7 +1,7 @@
 //! What a person can do about a finding.
 
 use super::WireStages;
-use crate::route::Doubling;
+use crate::route::{Doubling, StartThere};
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 
@@ -63,11 +63,10 @@ pub enum Remedy {
     /// Add or delete edges until at most two vertices are odd.
     ReduceOddVertices,
     /// Start the wire at the vertex.
-    StartAtVertex,
-    /// Start the wire at the vertex, where no bend beyond the limit is then.
-    StartThere {
-        /// The length that it adds to what is travelled twice; less than zero where that is less.
-        added: Length,
+    StartAtVertex {
+        /// The change in doubled length, where no bend there is beyond the limit then; negative where it gets shorter. None where it
+        /// was not tried.
+        added: Option<Length>,
     },
     /// Start or end the wire at the vertex.
     EndAtVertex,
@@ -152,9 +151,14 @@ impl Remedy {
     /// The remedies of a bend at a vertex that every route from elsewhere makes: a start there, and a detour, where they avoid it.
     pub(crate) fn around(wire: &WireStages, vertex: VertexId) -> Vec<Self> {
         let Some(forced) = wire.forced.iter().find(|forced| forced.vertex == vertex) else {
-            return Vec::new();
+            return vec![Self::StartAtVertex { added: None }];
         };
-        let start = forced.starting.map(|added| Self::StartThere { added });
+        let start = match forced.start {
+            StartThere::NotTried => Some(None),
+            StartThere::HelpsNot => None,
+            StartThere::Adds(added) => Some(Some(added)),
+        };
+        let start = start.map(|added| Self::StartAtVertex { added });
         let detour = forced.detour.clone().map(|Doubling { edges, added }| Self::Detour { edges, added });
         start.into_iter().chain(detour).collect()
     }

@@ -1,6 +1,6 @@
 //! The whole pipeline for the wires of a component: every stage in order, as far as it gets, and what the checks say.
 
-mod brought;
+mod closing;
 mod contacts;
 mod helps;
 mod routing;
@@ -23,7 +23,7 @@ use crate::schedule::{HeadLimits, ScheduledProgram};
 use crate::search::{Objective, Obstruction, SearchOptions};
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
-pub use brought::say_what_brings;
+pub use closing::name_closing_bends;
 pub use contacts::{ContactOptions, ScheduledWire, clearance, keep_contacts};
 use routing::Routed;
 use searching::Searching;

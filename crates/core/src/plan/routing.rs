@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use super::{DoublingChoice, Machine, PlanOptions, Stage};
 use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity};
 use crate::route::{
-    Doubling, ForcedBend, Route, RouteError, RouteOptions, Routes, doubling, doublings, forced_bends, routes,
+    Doubling, ForcedBend, Route, RouteError, RouteOptions, Routes, StartThere, doubling, doublings,
+    forced_bends, is_forced, routes,
 };
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, Wireframe};
@@ -82,13 +83,13 @@ fn search(
     match find_routes(wireframe, component, &wanted, options) {
         Ok(Routes { routes, forced }) => {
             (found.routes, found.forced) = (routes, forced);
-            say_starts(wireframe, component, options, &wanted, &mut found.forced);
+            try_starts(wireframe, component, options, &wanted, &mut found.forced);
         }
         // The check of odd vertices says it with the cheapest way out; where a bend is in the way of that, it is said, too.
         Err(RouteError::Odd { .. }) => {
             let proposed = RouteOptions { doubled: found.proposal.edges.clone(), ..wanted };
             found.forced = forced_bends(wireframe, component, &proposed).unwrap_or_default();
-            say_starts(wireframe, component, options, &proposed, &mut found.forced);
+            try_starts(wireframe, component, options, &proposed, &mut found.forced);
         }
         Err(error) => {
             let offered = Some(&found.proposal).filter(|proposal| !proposal.edges.is_empty());
@@ -98,14 +99,19 @@ fn search(
     }
 }
 
-/// Says of each forced bend what it takes to start the wire at its vertex, where the start is open and doubled edges are not chosen.
-fn say_starts(
+/// Tries to start the wire at the vertex of each forced bend, where the start is open and doubled edges are not chosen.
+fn try_starts(
     wireframe: &Wireframe,
     component: &Component,
     options: &PlanOptions,
     now: &RouteOptions,
     forced: &mut [ForcedBend],
 ) {
+    if options.closed {
+        for bend in &mut *forced {
+            bend.start = StartThere::HelpsNot;
+        }
+    }
     let is_open = options.start.is_none() && !options.closed && options.wires < 2 && !options.detours;
     let chosen = matches!(&options.doubling, DoublingChoice::Accepted(edges) if !edges.is_empty());
     if !is_open
@@ -122,10 +128,9 @@ fn say_starts(
             continue;
         };
         let there = RouteOptions { doubled, start, ..now.clone() };
-        let left = forced_bends(wireframe, component, &there).unwrap_or_default();
-        if left.iter().all(|other| other.vertex != bend.vertex) {
-            bend.starting = Some(added - length(&now.doubled));
-        }
+        let Ok(stays) = is_forced(wireframe, component, &there, bend.vertex) else { continue };
+        bend.start =
+            if stays { StartThere::HelpsNot } else { StartThere::Adds(added - length(&now.doubled)) };
     }
 }
 

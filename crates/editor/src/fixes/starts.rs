@@ -24,7 +24,7 @@ pub(super) fn anywhere(finding: Finding, document: &Document) -> Vec<Candidate> 
 
 /// The vertex of a bend that every route from elsewhere makes. Where there is a route, another start is chosen by what it comes to.
 pub(super) fn there(finding: Finding) -> Option<Candidate> {
-    let helps = |remedy: &Remedy| matches!(remedy, Remedy::StartThere { .. });
+    let helps = |remedy: &Remedy| matches!(remedy, Remedy::StartAtVertex { added: Some(_) });
     let has_none = finding.wire.is_some_and(|wire| wire.route.is_none());
     let vertex = finding.diagnostic.location.vertices.first().filter(|_| has_none)?;
     finding.diagnostic.remedies.iter().any(helps).then(|| at(*vertex))

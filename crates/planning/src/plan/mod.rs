@@ -13,7 +13,7 @@ use std::time::Instant;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::checks::{Design, Diagnostic, check_design};
-use wirebend_core::plan::{PlanOptions, WirePlan, plan_wires, say_what_brings};
+use wirebend_core::plan::{PlanOptions, WirePlan, name_closing_bends, plan_wires};
 use wirebend_core::wireframe::{Component, VertexId};
 use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_files::document::{Job, JobContents, JobPause, JobStep, JobWire, ProfileSnapshot};
@@ -209,7 +209,7 @@ impl Installation {
         opened.notes.extend(replaced.notes());
         let pauses = PlannedPauses::of(&opened.document.pauses, &wires);
         opened.notes.extend(pauses.notes());
-        say_what_brings(&mut design, &wires);
+        name_closing_bends(&mut design, &wires, &setup.model);
         // Of a single wire, everything is said with it.
         if let [wire] = wires.as_mut_slice() {
             wire.diagnostics.append(&mut design);

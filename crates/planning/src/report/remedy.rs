@@ -57,11 +57,10 @@ pub enum RemedyReport {
     /// Add or delete edges until at most two vertices are odd.
     ReduceOddVertices,
     /// Start the wire at the vertex.
-    StartAtVertex,
-    /// Start the wire at the vertex, where no bend beyond the limit is then.
-    StartThere {
-        /// The length that it adds to what is travelled twice, in mm; less than zero where that is less.
-        added_mm: f64,
+    StartAtVertex {
+        /// The change in doubled length, in mm, where no bend there is beyond the limit then; negative where it gets shorter.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        added_mm: Option<f64>,
     },
     /// Start or end the wire at the vertex.
     EndAtVertex,
@@ -164,8 +163,7 @@ impl From<&Remedy> for RemedyReport {
             }
             Remedy::FindDoubling => Self::FindDoubling,
             Remedy::ReduceOddVertices => Self::ReduceOddVertices,
-            Remedy::StartAtVertex => Self::StartAtVertex,
-            Remedy::StartThere { added } => Self::StartThere { added_mm: added.mm() },
+            Remedy::StartAtVertex { added } => Self::StartAtVertex { added_mm: added.map(Length::mm) },
             Remedy::EndAtVertex => Self::EndAtVertex,
             Remedy::ChooseStart => Self::ChooseStart,
             Remedy::LeaveStartOpen => Self::LeaveStartOpen,

@@ -1,7 +1,7 @@
 //! Flaws of the drawing itself.
 
 use wirebend_core::bend::PathError;
-use wirebend_core::checks::{Brought, Location};
+use wirebend_core::checks::{ClosingBend, Location};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{EdgeId, VertexId};
 
@@ -59,19 +59,20 @@ pub(super) fn edges_meet(
     distance: Length,
     diameter: Length,
     through: bool,
-    brought: Option<Brought>,
+    closing: Option<ClosingBend>,
 ) -> String {
     let digits = digits_beside(distance.mm(), diameter.mm());
-    let what = match brought {
+    let what = match closing {
         _ if through => "they run through each other".to_owned(),
         None => "they press on each other there, or snap past each other while they are bent".to_owned(),
-        Some(Brought { vertex, passes: false }) => {
-            format!("they press on each other from the bend at vertex {vertex} on")
-        }
-        Some(Brought { vertex, passes: true }) => {
-            format!(
-                "in the bend at vertex {vertex} one snaps past the other, and they press on each other from then on"
-            )
+        Some(bend) => {
+            let step = bend.step.map_or_else(String::new, |step| format!(" of step {}", step + 1));
+            let bend_at = format!("the bend{step} at vertex {}", bend.vertex);
+            if bend.snaps_past {
+                format!("in {bend_at} one snaps past the other, and they press on each other from then on")
+            } else {
+                format!("they press on each other from {bend_at} on")
+            }
         }
     };
     format!(

@@ -37,9 +37,9 @@ pub fn message(diagnostic: &Diagnostic) -> String {
         Fact::NoPath(error) => drawing::no_path(error, at),
         Fact::ParallelEdges { edges, ends } => drawing::parallel(*edges, *ends),
         Fact::CoincidentVertices { vertices, distance, .. } => drawing::coincident(*vertices, *distance),
-        Fact::EdgesMeet { edges, near, from, along, distance, diameter, brought } => {
+        Fact::EdgesMeet { edges, near, from, along, distance, diameter, closing } => {
             let meeting = drawing::meeting(*edges, *near, *from, *along);
-            drawing::edges_meet(&meeting, *distance, *diameter, diagnostic.is_error(), *brought)
+            drawing::edges_meet(&meeting, *distance, *diameter, diagnostic.is_error(), *closing)
         }
         Fact::IsolatedVertex { vertex } => drawing::isolated(*vertex),
         Fact::SeveralWires { wires } => drawing::several_wires(*wires),

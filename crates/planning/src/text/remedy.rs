@@ -37,16 +37,16 @@ pub(super) fn clause(remedy: &Remedy) -> String {
             let edges = count(edges.len(), "more edge", "more edges");
             return format!("take a detour: run the wire along {edges} twice, which adds {added:.1}");
         }
-        Remedy::StartThere { added } if added.mm().abs() < 0.05 => {
+        Remedy::FindDoubling => "run the wire along the cheapest edges twice",
+        Remedy::ReduceOddVertices => "add and delete edges until at most two corners are odd",
+        Remedy::StartAtVertex { added: None } => "start the wire at this vertex",
+        Remedy::StartAtVertex { added: Some(added) } if added.mm().abs() < 0.05 => {
             "start the wire at this vertex, which adds no length"
         }
-        Remedy::StartThere { added } => {
+        Remedy::StartAtVertex { added: Some(added) } => {
             let adds = if *added > Length::ZERO { "adds" } else { "saves" };
             return format!("start the wire at this vertex, which {adds} {:.1}", added.abs());
         }
-        Remedy::FindDoubling => "run the wire along the cheapest edges twice",
-        Remedy::ReduceOddVertices => "add and delete edges until at most two corners are odd",
-        Remedy::StartAtVertex => "start the wire at this vertex",
         Remedy::EndAtVertex => "start or end the wire there",
         Remedy::ChooseStart => "start the wire at another vertex",
         Remedy::LeaveStartOpen => "leave its start open",

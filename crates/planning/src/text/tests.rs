@@ -1,6 +1,6 @@
 use wirebend_core::bend::PathError;
 use wirebend_core::checks::{
-    BendOf, BendRadius, Brought, Diagnostic, Fact, LimitSource, Location, ReachLimit, Remedy, Severity,
+    BendOf, BendRadius, ClosingBend, Diagnostic, Fact, LimitSource, Location, ReachLimit, Remedy, Severity,
     Source, Sourced,
 };
 use wirebend_core::compensate::NearCorner;
@@ -51,16 +51,16 @@ fn findings_of_the_drawing_name_vertices_and_edges() {
     says(nowhere(), parallel, "edges 3 and 9 both join vertices 1 and 2");
     let close = Fact::CoincidentVertices { vertices: [a, b], distance: mm(5e-4), tolerance: mm(1e-3) };
     says(nowhere(), close, "vertices 1 and 2 are 0.0005 mm apart but not merged");
-    let brought_by = |near, brought| Fact::EdgesMeet {
+    let closed_by = |near, closing| Fact::EdgesMeet {
         edges: [EdgeId(3), EdgeId(9)],
         near,
         from: [a, b],
         along: [mm(35.0), mm(0.5)],
         distance: mm(1.0),
         diameter: mm(3.0),
-        brought,
+        closing,
     };
-    let meet = |near| brought_by(near, None);
+    let meet = |near| closed_by(near, None);
     let nearer = "1.0 mm from centre to centre, and the wire is 3.0 mm thick";
     let through = "they run through each other";
     says(
@@ -78,16 +78,17 @@ fn findings_of_the_drawing_name_vertices_and_edges() {
         meet([Some(a), None]),
         &format!("edge 9 meets vertex 1, 0.5 mm from vertex 2: {nearer}; {through}"),
     );
-    for (brought, what) in [
+    let bend = |step, snaps_past| Some(ClosingBend { vertex: VertexId(7), step, snaps_past });
+    for (closing, what) in [
         (None, "they press on each other there, or snap past each other while they are bent"),
-        (Some(false), "they press on each other from the bend at vertex 7 on"),
+        (bend(None, false), "they press on each other from the bend at vertex 7 on"),
+        (bend(Some(4), false), "they press on each other from the bend of step 5 at vertex 7 on"),
         (
-            Some(true),
-            "in the bend at vertex 7 one snaps past the other, and they press on each other from then on",
+            bend(Some(4), true),
+            "in the bend of step 5 at vertex 7 one snaps past the other, and they press on each other from then on",
         ),
     ] {
-        let brought = brought.map(|passes| Brought { vertex: VertexId(7), passes });
-        let fact = brought_by([Some(a), Some(b)], brought);
+        let fact = closed_by([Some(a), Some(b)], closing);
         let said =
             message(&Diagnostic { severity: Severity::Warning, ..finding(nowhere(), fact, Vec::new()) });
         assert_eq!(said, format!("vertices 1 and 2 meet but are not merged: {nearer}; {what}"));

@@ -98,7 +98,7 @@ fn finding(design: &Design, layout: &Layout, close: &Close, gives_way: GivesWay)
             along: [0, 1].map(|side| Length::computed(layout.along(close, side))),
             distance: Length::computed(close.distance),
             diameter: design.diameter,
-            brought: None,
+            closing: None,
         },
         remedies: fasten.into_iter().chain([join, Remedy::MoveApart]).collect(),
     }

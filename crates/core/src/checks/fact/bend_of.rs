@@ -13,11 +13,13 @@ pub enum BendOf {
     Vertex,
 }
 
-/// The bend that brings two edges together that come too close.
+/// The bend that closes the gap between two edges that come too close.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Brought {
+pub struct ClosingBend {
     /// The vertex at which it is.
     pub vertex: VertexId,
-    /// Whether one edge passes the other on the way, and does not only come to where it is.
-    pub passes: bool,
+    /// The step, where it is that of the only wire.
+    pub step: Option<usize>,
+    /// Whether one edge snaps past the other in it, rather than only coming to press on it.
+    pub snaps_past: bool,
 }

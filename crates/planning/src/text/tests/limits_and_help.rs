@@ -32,7 +32,7 @@ fn remedies_are_alternatives_with_their_figures() {
     };
     helps(vec![Remedy::OpenAngleOfTwo], "open the angle between two of its edges");
     helps(
-        vec![Remedy::OpenAngle, Remedy::StartAtVertex],
+        vec![Remedy::OpenAngle, Remedy::StartAtVertex { added: None }],
         "open the angle between the two edges, or start the wire at this vertex",
     );
     helps(
@@ -83,8 +83,8 @@ fn every_remedy_is_a_clause() {
         Remedy::DoubleEdges { edges: vec![EdgeId(0)], added: mm(1.0), design: mm(0.0) },
         Remedy::FindDoubling,
         Remedy::ReduceOddVertices,
-        Remedy::StartAtVertex,
-        Remedy::StartThere { added: mm(12.5) },
+        Remedy::StartAtVertex { added: None },
+        Remedy::StartAtVertex { added: Some(mm(12.5)) },
         Remedy::EndAtVertex,
         Remedy::ChooseStart,
         Remedy::LeaveStartOpen,
