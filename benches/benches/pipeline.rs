@@ -183,8 +183,11 @@ fn live_collisions(c: &mut Criterion) {
 fn given_up(workspace: &Workspace, question: &str) -> Duration {
     std::thread::scope(|scope| {
         let check = scope.spawn(|| {
-            workspace.ask_json(question).unwrap();
-            Instant::now()
+            let answer = workspace.ask_json(question).unwrap();
+            let ended = Instant::now();
+            let found: serde_json::Value = serde_json::from_str(answer.get()).unwrap();
+            assert_eq!(found["stopped"], true, "it was over before: {answer}");
+            ended
         });
         // It is well under way.
         std::thread::sleep(Duration::from_millis(10));

@@ -60,7 +60,7 @@ fn main() -> Result<()> {
         100.0,
     );
     row(
-        "one that is given up, until it has ended, 95 of 100 within",
+        "the same cancelled: until it has ended, 95 of 100 means within",
         criterion_p95_ms(&root, "live-collisions/given-up")?,
         10.0,
     );

@@ -96,9 +96,9 @@ impl Tally {
     fn add(&mut self, shown: &Shown) {
         self.designs += 1;
         self.first += usize::from(shown.first_clear);
-        for (count, clear) in self.clear.iter_mut().zip(shown.clear) {
-            *count += usize::from(clear);
-        }
+        let [one, two] = shown.clear;
+        self.clear[0] += usize::from(one);
+        self.clear[1] += usize::from(one || two);
     }
 }
 
@@ -164,8 +164,11 @@ fn show(name: &str, wireframe: &Wireframe, machine: &Machine, time: Duration) ->
             true => format!("{} wires", found.len()),
             false => format!("{} left", contacts(&found)),
         };
-        if let (false, 1, Some(searched)) = (*clear, max_wires, searched) {
-            in_the_way = obstacle(machine, &searched);
+        if !*clear && max_wires == 1 {
+            in_the_way = searched.map_or_else(
+                || "not searched: its first program cannot be bent".to_owned(),
+                |searched| obstacle(machine, &searched),
+            );
         }
         let checks = searched.map_or(0, |searched| searched.checks);
         write!(line, " | {came_to:>9} {checks:>8} {seconds:>7.1} {length:>8.0}")?;
@@ -177,7 +180,7 @@ fn show(name: &str, wireframe: &Wireframe, machine: &Machine, time: Duration) ->
 /// What is in the way of one wire where the search came farthest.
 fn obstacle(machine: &Machine, searched: &Searched) -> String {
     let Some(Obstruction { passed, of, obstacle, .. }) = searched.obstruction else {
-        return "not searched: no route is free of bends beyond the limits".to_owned();
+        return "one wire: nothing is known to be in the way".to_owned();
     };
     let what = match obstacle {
         Some(Obstacle::Body(index)) => {
