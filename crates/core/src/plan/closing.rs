@@ -20,7 +20,7 @@ const WINDOW: f64 = 10.0;
 /// Names, for edges that come too close and that one wire runs along, the bend that closes the gap between them.
 ///
 /// Wire that is not bent yet lies straight, and all that is bent turns about the bend together: what two places are to each other is
-/// settled by the last bend before the later one. Corners are taken for as sharp as they are drawn; a bend is pressed as far as it
+/// settled by the last bend before the later one. Corners are taken to be as sharp as drawn; a bend is pressed beyond its angle by what it
 /// springs back.
 pub fn name_closing_bends(found: &mut [Diagnostic], wires: &[WirePlan], machine: &Machine) {
     if !found.iter().any(|one| matches!(one.fact, Fact::EdgesMeet { .. })) {
