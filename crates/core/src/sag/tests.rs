@@ -159,6 +159,7 @@ proptest! {
     ) {
         let ways: Vec<Vector3<f64>> = corners.into_iter().map(Vector3::from).filter(|way| way.norm() > 20.0).collect();
         let Some(down) = Vector3::from(down).try_normalize(0.1) else { return Ok(()) };
+        prop_assume!(!ways.is_empty());
         let (found, wanted) = (free_end(&ways, &down), by_unit_loads(&ways, &down));
         let length: f64 = ways.iter().map(Vector3::norm).sum();
         let [w, ei, _] = figures();
