@@ -167,6 +167,20 @@ fn legs_that_lie_along_each_other_meet_however_they_are_joined() {
     assert_eq!(beside(4.0), []);
 }
 
+/// The middle of the part where both lie along each other is farther from the crossing than their diameter.
+#[test]
+fn edges_that_cross_at_a_small_angle_meet_where_they_cross() {
+    let crossing = wireframe(&[[0.; 3], [100., 0., 0.], [20., -2., 0.8], [100., 4., 0.8]], &[(0, 1), (2, 3)]);
+    let found = said(&crossing);
+    let meeting = only(&found, Code::EdgesMeet);
+    let Fact::EdgesMeet { distance, along, .. } = meeting.fact else { panic!() };
+    assert!(
+        (distance.mm() - 0.8).abs() < 1e-9 && (along[0].mm() - 140.0 / 3.0).abs() < 1e-9,
+        "{distance:?} {along:?}"
+    );
+    assert!(meeting.is_error());
+}
+
 /// Where a person with a ruler would find two edges too close.
 struct Measured {
     least: f64,
