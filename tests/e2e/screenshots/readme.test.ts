@@ -130,11 +130,7 @@ it("makes the pictures", async () => {
   await slider.fill(String(0.64 * Number(await slider.getAttribute("max"))));
   await page.locator(".viewport canvas").focus();
   await page.keyboard.press("f");
-  await editor
-    .section("animate")
-    .getByText(/6\d.%/)
-    .first()
-    .waitFor();
+  await editor.section("animate").getByText(/6\d.%/).first().waitFor();
   await picture("animate");
 
   await only("animate", "machine");
