@@ -185,3 +185,6 @@ fn parts_again(distance: impl Fn(f64) -> f64, pressed: f64, arm: f64, diameter: 
     }
     distance(pressed) > least + PARTS_BY * diameter && least < diameter
 }
+
+#[cfg(test)]
+mod tests;
