@@ -83,13 +83,13 @@ fn search(
     match find_routes(wireframe, component, &wanted, options) {
         Ok(Routes { routes, forced }) => {
             (found.routes, found.forced) = (routes, forced);
-            try_starts(wireframe, component, options, &wanted, &mut found.forced);
+            try_starts(wireframe, component, options, &wanted, found);
         }
         // The check of odd vertices says it with the cheapest way out; where a bend is in the way of that, it is said, too.
         Err(RouteError::Odd { .. }) => {
             let proposed = RouteOptions { doubled: found.proposal.edges.clone(), ..wanted };
             found.forced = forced_bends(wireframe, component, &proposed).unwrap_or_default();
-            try_starts(wireframe, component, options, &proposed, &mut found.forced);
+            try_starts(wireframe, component, options, &proposed, found);
         }
         Err(error) => {
             let offered = Some(&found.proposal).filter(|proposal| !proposal.edges.is_empty());
@@ -99,29 +99,29 @@ fn search(
     }
 }
 
-/// Tries to start the wire at the vertex of each forced bend, where the start is open and doubled edges are not chosen.
+/// Tries to start the wire at the vertex of each forced bend, where the start is open and no edges beyond the cheapest are doubled.
 fn try_starts(
     wireframe: &Wireframe,
     component: &Component,
     options: &PlanOptions,
     now: &RouteOptions,
-    forced: &mut [ForcedBend],
+    Routed { proposal, forced, .. }: &mut Routed,
 ) {
     if options.closed {
         for bend in &mut *forced {
             bend.start = StartThere::HelpsNot;
         }
     }
+    let length = |edges: &[EdgeId]| edges.iter().map(|&edge| wireframe.edge_length(edge)).sum::<Length>();
+    let now_added = length(&now.doubled);
     let is_open = options.start.is_none() && !options.closed && options.wires < 2 && !options.detours;
-    let chosen = matches!(&options.doubling, DoublingChoice::Accepted(edges) if !edges.is_empty());
     if !is_open
-        || chosen
         || !options.settled.is_empty()
+        || !proposal.is_matched_by(now_added)
         || forced.len() * component.edges.len() > MAX_EDGES_OF_STARTS
     {
         return;
     }
-    let length = |edges: &[EdgeId]| edges.iter().map(|&edge| wireframe.edge_length(edge)).sum::<Length>();
     for bend in forced {
         let start = Some(bend.vertex);
         let Ok(Doubling { edges: doubled, added }) = doubling(wireframe, component, start, false) else {
@@ -129,8 +129,7 @@ fn try_starts(
         };
         let there = RouteOptions { doubled, start, ..now.clone() };
         let Ok(stays) = is_forced(wireframe, component, &there, bend.vertex) else { continue };
-        bend.start =
-            if stays { StartThere::HelpsNot } else { StartThere::Adds(added - length(&now.doubled)) };
+        bend.start = if stays { StartThere::HelpsNot } else { StartThere::Adds(added - now_added) };
     }
 }
 

@@ -273,7 +273,7 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
             found.extend(bends::moves(finding, trials));
         }
         Code::BendTooSharp | Code::BendOutOfReach | Code::BendTooSmall => {
-            found.extend(starts::there(finding));
+            found.extend(starts::there(finding, trials));
             found.extend(wires::detour(finding, trials));
             found.extend(bends::moves(finding, trials));
             found.extend(cuts::at_step(finding, trials.document()));

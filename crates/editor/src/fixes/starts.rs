@@ -2,12 +2,13 @@
 
 use wirebend_core::checks::Remedy;
 use wirebend_core::plan::WirePlan;
+use wirebend_core::route::doubling;
 use wirebend_core::wireframe::VertexId;
 use wirebend_files::document::Document;
 
 use super::super::EditRequest;
 use super::trials::Trials;
-use super::{Candidate, Finding};
+use super::{Candidate, Finding, wires};
 
 /// The most starts that are tried of a wire that may begin anywhere.
 const MAX_STARTS: usize = 24;
@@ -22,12 +23,28 @@ pub(super) fn anywhere(finding: Finding, document: &Document) -> Vec<Candidate> 
     document.start.filter(|&start| here(start)).map(|_| clear).into_iter().collect()
 }
 
-/// The vertex of a bend that every route from elsewhere makes. Where there is a route, another start is chosen by what it comes to.
-pub(super) fn there(finding: Finding) -> Option<Candidate> {
-    let helps = |remedy: &Remedy| matches!(remedy, Remedy::StartAtVertex { added: Some(_) });
-    let has_none = finding.wire.is_some_and(|wire| wire.route.is_none());
-    let vertex = finding.diagnostic.location.vertices.first().filter(|_| has_none)?;
-    finding.diagnostic.remedies.iter().any(helps).then(|| at(*vertex))
+/// The vertex of a bend that every route from elsewhere makes, with the edges that are doubled for a wire from there. Without a route
+/// the start alone: which edges are doubled is asked next.
+pub(super) fn there(finding: Finding, trials: &Trials) -> Option<Candidate> {
+    let wire = finding.wire?;
+    let vertex = *finding.diagnostic.location.vertices.first()?;
+    let added = finding.diagnostic.remedies.iter().find_map(|remedy| match remedy {
+        Remedy::StartAtVertex { added } => *added,
+        _ => None,
+    })?;
+    let start = at(vertex);
+    if wire.route.is_none() {
+        return Some(start);
+    }
+    let document = trials.document();
+    let edges = doubling(&document.wireframe, &wire.component, Some(vertex), false).ok()?.edges;
+    let edges = [wires::doublings_elsewhere(document, &wire.component), edges].concat();
+    let title = format!("{}, {}", start.title, wires::twice(&edges, added, trials));
+    let edits = vec![start.edit, wires::doublings(&edges)];
+    Some(Candidate {
+        title,
+        edit: EditRequest::Several { label: format!("start at vertex {vertex}"), edits },
+    })
 }
 
 fn at(start: VertexId) -> Candidate {

@@ -35,7 +35,7 @@ fn doubled(wire: &WirePlan, trials: &Trials) -> Option<Candidate> {
 }
 
 /// "3 edges twice (+90.0 mm, +$0.18)".
-fn twice(edges: &[EdgeId], length: Length, trials: &Trials) -> String {
+pub(super) fn twice(edges: &[EdgeId], length: Length, trials: &Trials) -> String {
     let count = match edges.len() {
         1 => "1 edge".to_owned(),
         count => format!("{count} edges"),
@@ -44,11 +44,11 @@ fn twice(edges: &[EdgeId], length: Length, trials: &Trials) -> String {
     format!("{count} twice (+{}{cost})", shown_mm(length.mm()))
 }
 
-fn doublings(edges: &[EdgeId]) -> EditRequest {
+pub(super) fn doublings(edges: &[EdgeId]) -> EditRequest {
     EditRequest::Doublings { edges: edges.iter().map(|id| id.0).collect() }
 }
 
-fn doublings_elsewhere(document: &Document, component: &Component) -> Vec<EdgeId> {
+pub(super) fn doublings_elsewhere(document: &Document, component: &Component) -> Vec<EdgeId> {
     let elsewhere = |edge: &&EdgeId| component.edges.binary_search(edge).is_err();
     document.doublings.iter().filter(elsewhere).copied().collect()
 }

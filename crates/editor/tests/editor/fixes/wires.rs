@@ -2,8 +2,9 @@
 
 use serde_json::json;
 use wirebend_core::checks::Code;
-use wirebend_editor::{EditRequest, Editor};
+use wirebend_editor::{EditRequest, Editor, LiveCheck};
 use wirebend_planning::Installation;
+use wirebend_planning::report::RemedyReport;
 
 use super::examples::frame;
 use super::{machine_with, mend, on_kit, promised, strand, titles};
@@ -107,4 +108,35 @@ fn a_start_at_a_bend_that_is_too_sharp_is_offered_before_there_is_a_route() {
     let check = editor.check(&app(), &[]).unwrap();
     let sharp = check.diagnostics.iter().filter(|one| one.code == Code::BendTooSharp);
     assert!(sharp.clone().all(|one| one.vertex != Some(start)), "{start}: {check:?}");
+}
+
+/// Once edges are doubled other ones are for a wire that begins elsewhere: start and edges are one edit, which adds as much as the finding
+/// says.
+#[test]
+fn a_start_at_a_bend_that_is_too_sharp_brings_the_edges_that_are_doubled_for_it() {
+    let mut editor = frame("bunny.obj");
+    let fixes = editor.fixes(&app()).unwrap();
+    let doubled = fixes.iter().find(|fix| fix.mends.code == Code::NoEulerPath).unwrap();
+    editor.edit(&app(), &doubled.edit).unwrap();
+    let before = editor.check(&app(), &[]).unwrap();
+    let fixes = editor.fixes(&app()).unwrap();
+    let starts: Vec<_> = fixes.iter().filter(|fix| fix.title.starts_with("Start at vertex")).collect();
+    assert_eq!(starts.len(), 2, "{:?}", titles(&fixes, "bend_too_sharp"));
+    for fix in starts {
+        let added = fix.mends.remedies.iter().find_map(|remedy| match remedy {
+            RemedyReport::StartAtVertex { added_mm } => *added_mm,
+            _ => None,
+        });
+        assert!((fix.change.length_mm.unwrap() - added.unwrap()).abs() < 1e-6, "{fix:?}");
+        assert!(fix.title.contains(&format!("twice (+{:.1} mm, ", added.unwrap())), "{}", fix.title);
+        editor.edit(&app(), &fix.edit).unwrap();
+        let check = editor.check(&app(), &[]).unwrap();
+        let sharp = check.diagnostics.iter().filter(|one| one.code == Code::BendTooSharp);
+        assert!(sharp.clone().all(|one| one.vertex != fix.mends.vertex), "{check:?}");
+        let length = |check: &LiveCheck| check.wires[0].length_mm.unwrap();
+        assert!((length(&check) - length(&before) - added.unwrap()).abs() < 1e-6, "{fix:?}");
+        // One undo takes both back.
+        assert!(editor.undo().unwrap().is_some() && editor.state().start.is_none());
+        assert_eq!(editor.check(&app(), &[]).unwrap(), before);
+    }
 }
