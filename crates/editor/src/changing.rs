@@ -6,15 +6,15 @@ use wirebend_core::mesh::Placement;
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{ChordLimits, Delta, EdgeId, VertexId};
 use wirebend_files::document::{
-    Document, DocumentChange, PausePoint, PlacedStencil, ProfileSnapshot, StencilId, Walk, WireCount,
-    pause_note,
+    CollisionSettings, Document, DocumentChange, PausePoint, PlacedStencil, ProfileSnapshot, StencilId, Walk,
+    WireCount, pause_note,
 };
 
 use super::{ChosenWalk, EditRequest, construction};
 use crate::EditorError;
-use wirebend_planning::Installation;
 use wirebend_planning::design::default_weld_mm;
 use wirebend_planning::machine::Setup;
+use wirebend_planning::{Installation, collision_margin};
 
 /// The difference that a request makes; none where it is so already.
 pub(super) fn change(
@@ -62,6 +62,10 @@ pub(super) fn change(
         }
         EditRequest::Reversed { reversed } => anew(document.set_reversed(*reversed)),
         EditRequest::Walks { walks } => document.set_walks(walks_of(document, walks)?),
+        EditRequest::Collisions { clearance_mm, sag } => {
+            let clearance_mm = collision_margin(*clearance_mm)?;
+            document.set_collisions(CollisionSettings { clearance_mm, sag: *sag })
+        }
         EditRequest::Pause { vertex, pass, note } => {
             document.set_pauses(pauses_with(document, *vertex, *pass, note.as_deref())?)
         }
@@ -196,6 +200,7 @@ fn several(
         document.set_closed(last.closed),
         document.set_reversed(last.reversed),
         document.set_walks(last.walks),
+        document.set_collisions(last.collisions),
         document.set_pins(last.pins),
         document.set_pauses(last.pauses),
         document.set_notes(last.notes),

@@ -15,7 +15,7 @@ use wirebend_planning::PlanningError;
 use wirebend_planning::design::Opened;
 use wirebend_planning::machine::Setup;
 use wirebend_planning::plan::Planned;
-use wirebend_planning::report::{DiagnosticReport, WireReport};
+use wirebend_planning::report::{DiagnosticReport, SagReport, WireReport};
 use wirebend_planning::{Installation, NoProgress};
 
 /// A vertex that is being dragged, and where it is.
@@ -45,6 +45,8 @@ pub struct WireFigures {
     pub currency: Option<String>,
     /// Mass of the wire that is fed, g.
     pub mass_g: Option<f64>,
+    /// How far the part already bent sags while it is bent; null where the design does not ask for it, or nothing is bent.
+    pub sag: Option<SagReport>,
     /// The vertices in the order of the walk.
     pub route: Vec<u32>,
 }
@@ -116,6 +118,7 @@ impl Editor {
             closed: self.document.closed,
             reversed: self.document.reversed,
             walks: self.document.walks.clone(),
+            collisions: self.document.collisions,
             ..Document::new(self.document.wireframe.clone())
         }
     }
@@ -146,6 +149,7 @@ impl WireFigures {
             stock_cost: wire.stock_cost,
             currency: wire.currency.clone(),
             mass_g: wire.mass_g,
+            sag: wire.sag,
             route: wire.route.as_ref().map(|route| route.vertices.clone()).unwrap_or_default(),
         }
     }

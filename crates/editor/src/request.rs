@@ -274,6 +274,9 @@ pub enum EditRequest {
     /// Takes walks for the wires, one each, instead of finding them anew; none: they are found anew. Their bends are made to the sides with
     /// which the wire hits least.
     Walks { walks: Vec<ChosenWalk> },
+    /// How collisions are looked for: how far the wire has to stay from what it could hit, mm, and whether the part already bent is looked at
+    /// as it hangs under its own weight.
+    Collisions { clearance_mm: f64, sag: bool },
     /// Lets the machine wait for a person where the wire comes to a vertex, or no more.
     Pause {
         vertex: u32,

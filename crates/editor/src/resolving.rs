@@ -9,7 +9,7 @@ use wirebend_core::wireframe::{
 use super::EditorError;
 use super::construction::LinesEdit;
 use super::figures::{ids, rotation, unit};
-use super::request::{ConstructionChange, EditRequest, MergePlace};
+use super::request::{ConstructionChange, EditRequest, MergePlace, Placed};
 
 impl EditRequest {
     /// The edits of the wireframe that it is; none where it changes something else.
@@ -47,15 +47,13 @@ impl EditRequest {
             Self::Move { vertices, lines: _, by_mm } => {
                 one(Edit::Move { vertices: ids(vertices), by: Vector3::from(*by_mm) })
             }
-            Self::Place { positions } => Ok(Some(
-                positions
-                    .iter()
-                    .map(|placed| Edit::Place {
-                        vertex: VertexId(placed.vertex),
-                        position: placed.at_mm.into(),
-                    })
-                    .collect(),
-            )),
+            Self::Place { positions } => {
+                let place = |&Placed { vertex, at_mm }: &Placed| Edit::Place {
+                    vertex: VertexId(vertex),
+                    position: at_mm.into(),
+                };
+                Ok(Some(positions.iter().map(place).collect()))
+            }
             Self::Split { edge, at } => one(Edit::SplitEdge { edge: EdgeId(*edge), at: *at }),
             Self::Merge { vertices, at } => {
                 let at = match at {
@@ -106,6 +104,7 @@ impl EditRequest {
             | Self::Wires { .. }
             | Self::Closed { .. }
             | Self::Reversed { .. }
+            | Self::Collisions { .. }
             | Self::Walks { .. }
             | Self::Pause { .. }
             | Self::Machine { .. }
@@ -201,6 +200,7 @@ impl EditRequest {
             Self::Wires { .. } => "number of wires".to_owned(),
             Self::Closed { .. } => "closed wire".to_owned(),
             Self::Reversed { .. } => "direction of the wire".to_owned(),
+            Self::Collisions { .. } => "check for collisions".to_owned(),
             Self::Walks { .. } => "order of the bends".to_owned(),
             Self::Pause { .. } => "pause point".to_owned(),
             Self::Machine { .. } => "machine".to_owned(),

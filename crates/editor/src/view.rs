@@ -6,7 +6,8 @@ use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Edge, EdgeId, Vertex, VertexId};
 use wirebend_error::ProblemReport;
 use wirebend_files::document::{
-    DocumentChange, JointFile, Look, PartLook, PausePoint, PlacedStencil, PlacementFile, StencilSource,
+    CollisionSettings, DocumentChange, JointFile, Look, PartLook, PausePoint, PlacedStencil, PlacementFile,
+    StencilSource,
 };
 use wirebend_files::read::LengthUnit;
 
@@ -138,6 +139,8 @@ pub struct DesignState {
     pub reversed: bool,
     /// The walks that were chosen, one for each wire; empty where they are found anew.
     pub walks: Vec<ChosenWalk>,
+    /// How collisions are looked for.
+    pub collisions: CollisionSettings,
     /// Where the machine waits for a person, by vertex.
     pub pauses: Vec<PauseView>,
     /// Remarks on the whole.
@@ -211,6 +214,7 @@ impl Editor {
             closed: document.closed,
             reversed: document.reversed,
             walks: document.walks.iter().map(ChosenWalk::from).collect(),
+            collisions: document.collisions,
             pauses: document.pauses.iter().map(PauseView::from).collect(),
             notes: document.notes.clone(),
             units: document.units,

@@ -48,11 +48,11 @@ pub struct PlanChoices {
     pub search_seed: Option<u64>,
     /// What makes one program of the search better than another; absent: fewest wires, then the least doubled length, then the least time.
     pub search_weights: Option<SearchWeights>,
-    /// Whether to work out how far the part already bent sags under its own weight, and to look for collisions as it hangs.
+    /// Whether to work out how far the part already bent sags under its own weight, and to look for collisions as it hangs, also where the
+    /// document does not say so.
     #[serde(default)]
     pub sag: bool,
     /// How far the wire has to stay from what it could hit, besides, mm; with `collisions`.
-    #[serde(default)]
     #[schemars(range(min = 0.0))]
-    pub collision_margin_mm: f64,
+    pub collision_margin_mm: Option<f64>,
 }

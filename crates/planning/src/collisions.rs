@@ -29,7 +29,7 @@ pub struct ContactReport {
     pub leg: usize,
     /// The body of the machine that it meets, by its place in the profile from 0; null: the wire that is still to be bent.
     pub body: Option<usize>,
-    /// How deep they are in each other at the worst of that step, mm.
+    /// How deep they are in each other at the worst of that step, mm; below zero: they only come so near.
     pub depth_mm: f64,
     /// In how many later steps they meet again.
     pub later: usize,
@@ -130,7 +130,7 @@ fn contacts_of(plan: &WirePlan, wire: usize, setup: &Setup, findings: &[Diagnost
             at: moments.get(contact.step).map_or(0.0, |moments| contact.time_in(moments, bend)),
             leg: contact.leg,
             body,
-            depth_mm: depth.mm(),
+            depth_mm: (depth - plan.contact_options.margin).mm(),
             later,
             estimated: known.is_some_and(|body| !body.measured),
             finding: DiagnosticReport::from(finding),

@@ -8,8 +8,8 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 use wirebend_core::clearance::{Clearance, FirstContact};
-use wirebend_core::units::Length;
 use wirebend_error::InputName;
+use wirebend_files::document;
 
 use crate::PlanningError;
 use crate::report::NoteReport;
@@ -23,9 +23,8 @@ const MAX_THREADS: usize = 4;
 pub(crate) const PATIENCE: Duration = Duration::from_secs(10);
 
 /// How far a wire has to stay from what it could hit, given in mm.
-pub fn collision_margin(mm: f64) -> Result<Length, PlanningError> {
-    let margin = Length::from_mm(mm).ok().filter(|margin| *margin >= Length::ZERO);
-    margin.ok_or_else(|| PlanningError::Value {
+pub fn collision_margin(mm: f64) -> Result<document::Clearance, PlanningError> {
+    document::Clearance::try_from(mm).map_err(|_| PlanningError::Value {
         input: Some(InputName::Clearance),
         name: "the clearance",
         value: format!("{mm} mm"),

@@ -44,6 +44,7 @@ mod turning_back;
 pub mod wires;
 
 pub use choices::PlanChoices;
+pub use contacts::collision_margin;
 pub use curves::{CurvesReport, MachineEdges, ShortestEdge};
 pub use design::{DesignInput, Input};
 pub use error::{DriverProblem, ErrorKind, PlanningError, StencilFileError};

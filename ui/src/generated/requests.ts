@@ -399,6 +399,11 @@ export type EditRequest =
       walks: ChosenWalk[];
     }
   | {
+      clearance_mm: number;
+      edit: "collisions";
+      sag: boolean;
+    }
+  | {
       edit: "pause";
       /**
        * What the person has to do there; null takes the pause point away.

@@ -995,6 +995,11 @@ export type EditRequest =
       walks: ChosenWalk[];
     }
   | {
+      clearance_mm: number;
+      edit: "collisions";
+      sag: boolean;
+    }
+  | {
       edit: "pause";
       /**
        * What the person has to do there; null takes the pause point away.
@@ -1460,6 +1465,10 @@ export type Solid =
         radius_mm: number;
       };
     };
+/**
+ * How far a wire has to stay from what it could hit while it is bent: zero or more.
+ */
+export type Clearance = number;
 /**
  * One axis by an amount, in canonical signs, or homing.
  */
@@ -3551,6 +3560,10 @@ export interface WireFigures {
    */
   route: number[];
   /**
+   * How far the part already bent sags while it is bent; null where the design does not ask for it, or nothing is bent.
+   */
+  sag: SagReport | null;
+  /**
    * Price of the stock, which has the tail that cannot be fed.
    */
   stock_cost: number | null;
@@ -3562,6 +3575,44 @@ export interface WireFigures {
    * Time on the machine, s.
    */
   time_s: number | null;
+}
+/**
+ * How far the part already bent sags at most under its own weight while it is bent.
+ */
+export interface SagReport {
+  /**
+   * How far its free end is from where it would be without weight, mm.
+   */
+  deflection_mm: number;
+  /**
+   * Where the wire misses itself the most; null where it never comes back to a vertex.
+   */
+  joint: JointSagReport | null;
+  /**
+   * How far the part reaches from the bend point then, mm. A sag of more than a tenth of it is only indicated.
+   */
+  reach_mm: number;
+  /**
+   * The step of the program in which that is, counted from 0: at the end of its feed, or while it bends.
+   */
+  step: number;
+}
+/**
+ * Where the wire comes back to a vertex that it has passed before, and how far the part has sagged there.
+ */
+export interface JointSagReport {
+  /**
+   * How far apart the two places of the wire are, that should be one, mm.
+   */
+  off_mm: number;
+  /**
+   * The step of the program whose feed brings it there, counted from 0.
+   */
+  step: number;
+  /**
+   * The vertex.
+   */
+  vertex: number;
 }
 /**
  * What there is when a window opens.
@@ -3626,6 +3677,7 @@ export interface DesignState {
    * Whether the wire ends where it starts.
    */
   closed: boolean;
+  collisions: CollisionSettings;
   /**
    * Lines that are no wire, each by its two ends, mm.
    */
@@ -3702,6 +3754,16 @@ export interface DesignState {
    * How many wires there may be.
    */
   wires: number;
+}
+/**
+ * How collisions are looked for.
+ */
+export interface CollisionSettings {
+  clearance_mm: Clearance;
+  /**
+   * Whether the part already bent is looked at as it hangs under its own weight.
+   */
+  sag: boolean;
 }
 /**
  * How the part looks that an edge belongs to: all struts that hang together with it.
@@ -3964,7 +4026,7 @@ export interface ContactReport {
    */
   body: number | null;
   /**
-   * How deep they are in each other at the worst of that step, mm.
+   * How deep they are in each other at the worst of that step, mm; below zero: they only come so near.
    */
   depth_mm: number;
   /**

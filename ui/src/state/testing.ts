@@ -18,6 +18,7 @@ export const designState = (given: Partial<DesignState> = {}): DesignState => ({
   reversed: false,
   walks: [],
   pauses: [],
+  collisions: { clearance_mm: 0, sag: false },
   start: null,
   stencils: [],
   construction_mm: [],

@@ -18,7 +18,6 @@ use wirebend_core::plan::{
     DoublingChoice, Machine, PlanObserver, PlanOptions, Searched, Stage, WirePlan, plan_wires,
 };
 use wirebend_core::search::{Obstruction, SearchOptions};
-use wirebend_core::units::Length;
 use wirebend_core::wireframe::Wireframe;
 
 /// So many random frames are searched.
@@ -128,11 +127,7 @@ impl PlanObserver for Timed {
 fn show(name: &str, wireframe: &Wireframe, machine: &Machine, time: Duration) -> Result<Shown> {
     let components = wireframe.components();
     let component = components.first().context("a component")?;
-    let first = PlanOptions {
-        doubling: DoublingChoice::Cheapest,
-        contacts: Some(Length::ZERO),
-        ..PlanOptions::default()
-    };
+    let first = PlanOptions { doubling: DoublingChoice::Cheapest, contacts: true, ..PlanOptions::default() };
     let begin = Instant::now();
     let plain = plan_wires(wireframe, component, machine, &first, |_| ());
     let plain_ms = begin.elapsed().as_secs_f64() * 1000.0;

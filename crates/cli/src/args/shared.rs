@@ -132,15 +132,9 @@ pub(crate) struct ChoiceArgs {
 /// How far the wire has to stay from what it could hit.
 #[derive(Debug, Args)]
 pub(crate) struct ClearanceArgs {
-    /// With --collisions, also name what comes nearer than this without hitting, in mm
-    #[arg(
-        long,
-        value_name = "MM",
-        default_value_t = 0.0,
-        requires = "collisions",
-        allow_negative_numbers = true
-    )]
-    pub clearance: f64,
+    /// With --collisions, also name what comes nearer than this without hitting, in mm; 0 where the design does not say otherwise
+    #[arg(long, value_name = "MM", requires = "collisions", allow_negative_numbers = true)]
+    pub clearance: Option<f64>,
 }
 
 /// Where the result goes.

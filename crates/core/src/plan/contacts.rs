@@ -23,7 +23,7 @@ pub struct ContactOptions {
 
 impl ContactOptions {
     pub(super) fn of(options: &PlanOptions) -> Self {
-        Self { margin: options.contacts.unwrap_or_default(), sag: options.sag }
+        Self { margin: options.clearance, sag: options.sag }
     }
 }
 

@@ -86,9 +86,10 @@ pub struct PlanOptions {
     pub start: Option<VertexId>,
     /// Whether the wire runs the other way: it ends where it would have started.
     pub reversed: bool,
-    /// Whether to look where the wire meets the machine or itself, which takes the longest; and how far they have to stay
-    /// from each other.
-    pub contacts: Option<Length>,
+    /// Whether to look where the wire meets the machine or itself, which takes the longest.
+    pub contacts: bool,
+    /// How far they have to stay from each other.
+    pub clearance: Length,
     /// Whether to work out how far the part already bent sags under its own weight, and to look for contacts as it hangs.
     pub sag: bool,
     /// How to search for wires that meet nothing while they are bent; none where the first ones will do. Where a walk is settled,
@@ -110,7 +111,8 @@ impl Default for PlanOptions {
             closed: false,
             start: None,
             reversed: false,
-            contacts: None,
+            contacts: false,
+            clearance: Length::ZERO,
             sag: false,
             search: None,
             settled: Vec::new(),
@@ -292,7 +294,7 @@ pub fn plan_wires(
     let stages = Stages {
         wireframe,
         machine,
-        contacts: options.contacts.is_some() || options.search.is_some(),
+        contacts: options.contacts || options.search.is_some(),
         contact_options: ContactOptions::of(options),
         searched: options.search.is_some(),
         odd_allowed: routing::allowed(options),

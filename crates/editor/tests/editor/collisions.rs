@@ -28,6 +28,43 @@ fn it_says_what_the_command_says() {
     }
 }
 
+/// A clearance of the design, and whether it is looked at as it hangs, count in the window as the options of the command do; the command
+/// takes them from the file of the design, too.
+#[test]
+fn the_design_keeps_how_they_are_looked_for() {
+    let mut editor = open("house.obj");
+    edit(&mut editor, &json!({"edit": "collisions", "clearance_mm": 12, "sag": true}));
+    let found = editor.collision_check(&app(), &[]).unwrap().run(&mut |_, _| true).unwrap();
+    let check = editor.check(&app(), &[]).unwrap();
+    assert!(check.wires[0].sag.is_some_and(|sag| sag.deflection_mm > 0.0), "{check:?}");
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("house.wirebend");
+    std::fs::write(&file, editor.document().to_bytes().unwrap()).unwrap();
+    let machine = Some("wirebend-kit".to_owned());
+    let given = PlanChoices {
+        machine: machine.clone(),
+        collision_margin_mm: Some(12.0),
+        sag: true,
+        ..PlanChoices::default()
+    };
+    let kept = PlanChoices { machine, ..PlanChoices::default() };
+    let contacts: Vec<_> = found.contacts.into_iter().map(|contact| contact.finding).collect();
+    for (input, choices) in [(example("house.obj"), given), (file, kept)] {
+        let choices = PlanChoices { collisions: true, ..choices };
+        let request = CheckRequest { design: DesignInput::file(input), choices };
+        let said = wirebend_planning::plan::check(&app(), &request, &NoProgress).unwrap().diagnostics;
+        let meets: Vec<_> = said.into_iter().filter(|one| one.code.as_str().starts_with("meets_")).collect();
+        assert_eq!(meets.len(), contacts.len());
+        assert!(contacts.iter().all(|contact| meets.contains(contact)), "{contacts:#?} {meets:#?}");
+    }
+    let plain = open("house.obj").collision_check(&app(), &[]).unwrap().run(&mut |_, _| true).unwrap();
+    assert!(plain.contacts.len() < contacts.len(), "{contacts:#?}");
+    let refused =
+        serde_json::from_value(json!({"edit": "collisions", "clearance_mm": -1, "sag": false})).unwrap();
+    let error = editor.edit(&app(), &refused).unwrap_err();
+    assert_eq!(error.to_string(), "the clearance is -1 mm, expected zero or more");
+}
+
 /// Playback stops where the contact is, and draws what touches what.
 #[test]
 fn a_contact_is_placed_in_the_time_of_its_step_and_names_the_body_by_its_place_in_the_profile() {

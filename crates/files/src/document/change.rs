@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use wirebend_core::wireframe::{Change, Delta, EdgeId, StaleDelta, VertexId};
 
+use super::collision::CollisionSettings;
 use super::construction::ConstructionLine;
 use super::ids::{Pin, PinTarget, StencilId};
 use super::look::Look;
@@ -140,6 +141,8 @@ parts! {
     reversed, set_reversed: bool,
     /// The walks of the wires, where they were chosen.
     walks, set_walks: Vec<Walk>,
+    /// How collisions are looked for.
+    collisions, set_collisions: CollisionSettings,
     /// Remarks pinned to places.
     pins, set_pins: Vec<Pin>,
     /// Where the machine waits for a person.

@@ -8,6 +8,7 @@ use wirebend_core::mesh::PlacementError;
 use wirebend_core::wireframe::{Change, Delta, Edge, EdgeId, NextIds, Vertex, VertexId};
 
 use super::change::{DocumentChange, Replaced};
+use super::collision::CollisionSettings;
 use super::construction::{ConstructionLine, ConstructionLineFile};
 use super::ids::{Pin, PinFile, StencilId};
 use super::joint::JointFile;
@@ -78,6 +79,8 @@ struct ChangeFile {
     #[serde(skip_serializing_if = "Option::is_none")]
     walks: Option<[Vec<WalkFile>; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    collisions: Option<[CollisionSettings; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pins: Option<[Vec<PinFile>; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pauses: Option<[Vec<PausePointFile>; 2]>,
@@ -119,6 +122,7 @@ impl DocumentChange {
             closed: pair(self.closed.as_deref(), |closed| *closed),
             reversed: pair(self.reversed.as_deref(), |reversed| *reversed),
             walks: pair(self.walks.as_deref(), |walks| walks.iter().map(WalkFile::from).collect()),
+            collisions: pair(self.collisions.as_deref(), |collisions| *collisions),
             pins: pair(self.pins.as_deref(), |pins| pins.iter().map(PinFile::from).collect()),
             pauses: pair(self.pauses.as_deref(), |pauses| pauses.iter().map(PausePointFile::from).collect()),
             notes: pair(self.notes.as_deref(), Clone::clone),
@@ -171,6 +175,7 @@ impl DocumentChange {
             closed: swap(file.closed, |closed| closed),
             reversed: swap(file.reversed, |reversed| reversed),
             walks: swap(file.walks, |walks: Vec<WalkFile>| walks.into_iter().map(Walk::from).collect()),
+            collisions: swap(file.collisions, |collisions| collisions),
             pins: swap(file.pins, |pins: Vec<PinFile>| pins.into_iter().map(Pin::from).collect()),
             pauses: swap(file.pauses, |pauses: Vec<PausePointFile>| {
                 pauses.into_iter().map(PausePoint::from).collect()

@@ -5,6 +5,7 @@
 
 mod change;
 mod change_file;
+mod collision;
 mod construction;
 mod error;
 mod hash;
@@ -26,6 +27,7 @@ mod walk;
 mod wireframe;
 
 pub use change::{DocumentChange, Replaced, StaleChange};
+pub use collision::{Clearance, CollisionSettings};
 pub use construction::ConstructionLine;
 pub use error::DocumentError;
 pub use hash::sha256_hex;

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use wirebend_core::mesh::Stencil;
 use wirebend_core::wireframe::{EdgeId, Vertex, VertexId, Wireframe};
 
+use super::collision::CollisionSettings;
 use super::construction::{ConstructionLine, ConstructionLineFile};
 use super::error::DocumentError;
 use super::hash::canonical_sha256;
@@ -53,6 +54,8 @@ pub struct Document {
     pub reversed: bool,
     /// The walks of the wires, where they were chosen; empty: they are found anew.
     pub walks: Vec<Walk>,
+    /// How collisions are looked for.
+    pub collisions: CollisionSettings,
     /// Remarks pinned to vertices and edges.
     pub pins: Vec<Pin>,
     /// Vertices at which the machine waits for a person.
@@ -121,6 +124,9 @@ pub(crate) struct ProjectFile {
     /// The walks of the wires, where they were chosen. They are not used while they do not pass all edges of their part.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     walks: Vec<WalkFile>,
+    /// How collisions are looked for.
+    #[serde(default, skip_serializing_if = "CollisionSettings::is_default")]
+    collisions: CollisionSettings,
     /// Remarks on vertices and edges.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pins: Vec<PinFile>,
@@ -212,6 +218,7 @@ impl Document {
             closed: content.closed,
             reversed: content.reversed,
             walks: content.walks.into_iter().map(Walk::from).collect(),
+            collisions: content.collisions,
             pins: content.pins.into_iter().map(Pin::from).collect(),
             pauses: content.pauses.into_iter().map(PausePoint::from).collect(),
             notes: content.notes,
@@ -297,6 +304,7 @@ impl Document {
             closed: self.closed,
             reversed: self.reversed,
             walks: self.walks.iter().map(WalkFile::from).collect(),
+            collisions: self.collisions,
             pins: self.pins.iter().map(PinFile::from).collect(),
             pauses: self.pauses.iter().map(PausePointFile::from).collect(),
             notes: self.notes.clone(),

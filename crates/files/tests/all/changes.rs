@@ -5,8 +5,8 @@ use proptest::prelude::*;
 use wirebend_core::mesh::Stencil;
 use wirebend_core::wireframe::{EdgeId, Edit, MergeAt, Vertex, VertexId, Wireframe};
 use wirebend_files::document::{
-    ConstructionLine, Document, DocumentChange, Look, PartLook, PausePoint, Pin, PinTarget, ProfileSnapshot,
-    StaleChange, StencilId, StencilSource, sha256_hex,
+    CollisionSettings, ConstructionLine, Document, DocumentChange, Look, PartLook, PausePoint, Pin,
+    PinTarget, ProfileSnapshot, StaleChange, StencilId, StencilSource, sha256_hex,
 };
 use wirebend_files::read::LengthUnit;
 
@@ -93,6 +93,7 @@ fn every_part_is_written_down() {
         document.set_machine(Some(machine.clone())),
         document.set_material(Some(machine)),
         document.set_construction(vec![ConstructionLine { ends: [corner(0.0), corner(-0.0)] }]),
+        document.set_collisions(CollisionSettings { clearance_mm: 0.1.try_into().unwrap(), sag: true }),
         document.set_notes("a\n\"b\"\u{2028}".into()),
         document.set_units(LengthUnit::Inch),
     ] {

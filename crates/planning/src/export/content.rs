@@ -185,7 +185,6 @@ impl Content {
             sag,
             collision_margin_mm,
         } = &request.choices;
-        let clearance = *collision_margin_mm != 0.0;
         let other_material = material.as_ref().is_some_and(|id| *id != contents.material.id);
         let searches =
             *avoid_collisions || search_effort.is_some() || search_seed.is_some() || search_weights.is_some();
@@ -200,7 +199,7 @@ impl Content {
             (InputName::KeepOrder, *keep_order),
             (InputName::Collisions, *collisions),
             (InputName::AvoidCollisions, searches),
-            (InputName::Clearance, clearance),
+            (InputName::Clearance, collision_margin_mm.is_some()),
             (InputName::Sag, *sag),
         ];
         let given = given.into_iter().filter_map(|(input, given)| given.then_some(input));

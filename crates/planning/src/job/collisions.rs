@@ -177,7 +177,10 @@ pub(crate) fn scheduled(wire: &JobWire, setup: &Setup) -> Result<ScheduledWire, 
 
 /// How contacts of a wire were looked for when it was planned.
 pub(crate) fn contact_options(wire: &JobWire) -> Result<ContactOptions, crate::PlanningError> {
-    Ok(ContactOptions { margin: collision_margin(wire.clearance_mm.unwrap_or_default())?, sag: wire.sag })
+    Ok(ContactOptions {
+        margin: collision_margin(wire.clearance_mm.unwrap_or_default())?.length(),
+        sag: wire.sag,
+    })
 }
 
 #[cfg(test)]

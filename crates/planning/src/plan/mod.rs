@@ -137,7 +137,7 @@ impl Installation {
         let mut opened = opened;
         opened.require_designed()?;
         let settled = opened.settled(choices)?;
-        let margin = collision_margin(choices.collision_margin_mm)?;
+        let clearance = choices.collision_margin_mm.map(collision_margin).transpose()?;
         let chosen = WireChoice::of(&opened.document, choices)?;
         setup.driver.require_settings()?;
         opened.notes.extend(setup.driver.note.clone());
@@ -189,8 +189,9 @@ impl Installation {
                 start: here,
                 // Walks that were chosen have their direction.
                 reversed: chosen.reversed && walks.is_empty(),
-                contacts: (choices.collisions || choices.avoid_collisions).then_some(margin),
-                sag: choices.sag,
+                contacts: choices.collisions || choices.avoid_collisions,
+                clearance: clearance.unwrap_or(document.collisions.clearance_mm).length(),
+                sag: choices.sag || document.collisions.sag,
                 search: allowance.search(choices, share),
                 clear_sides: !walks.is_empty(),
                 settled: if walks.is_empty() { settled.clone() } else { walks },

@@ -226,7 +226,7 @@ pub fn simulate(
         output.check()?;
     }
     let runs = if request.noise.is_some() { request.runs } else { 1 };
-    let margin = collision_margin(request.collision_margin_mm)?;
+    let margin = collision_margin(request.collision_margin_mm)?.length();
     let errors = match &request.noise {
         Some(id) => noise_model(app, id)?,
         None => ErrorModel::default(),

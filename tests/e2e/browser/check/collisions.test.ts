@@ -110,3 +110,29 @@ it("takes an order of the bends that hits nothing, keeps it with the design, and
   await edit.getByRole("button", { name: "Choose automatically" }).click();
   await animate().getByRole("button", { name: "Avoid collisions" }).waitFor();
 });
+
+it("names what comes nearer than the clearance of the design, and says how far the part sags", async () => {
+  await editor.take("house", "check", "animate");
+  const found = () => animate().getByRole("list", { name: "Collisions" }).getByRole("listitem").count();
+  await until(found).toBe(1);
+  await animate()
+    .getByRole("button", { name: /^Collision settings/ })
+    .click();
+  const clearance = animate().getByLabel("Clearance", { exact: true });
+  await clearance.fill("12");
+  await clearance.press("Enter");
+  await until(found).toBeGreaterThan(1);
+  await animate().getByLabel("Look as the part hangs").click();
+  await animate()
+    .getByText(/^Its free end sags by up to \d+\.\d mm, in step \d/)
+    .waitFor();
+  await animate().getByText("Step 3 comes near the nozzle").first().waitFor();
+  await check()
+    .getByText(/^The wire comes near \d bodies of the machine/)
+    .waitFor();
+  await editor.isClean("animate-collision-settings");
+  // The design keeps both, and undo takes them back.
+  expect((await editor.design()).state.collisions).toEqual({ clearance_mm: 12, sag: true });
+  for (const _ of [0, 1]) await editor.page.keyboard.press("Control+z");
+  await until(found).toBe(1);
+});

@@ -9,6 +9,7 @@ import { jump } from "../../state/program/player";
 import { usePlayback } from "../../state/program/program";
 import { estimatesOf } from "../check/texts";
 import { Avoid } from "./Avoid";
+import { CollisionSettings } from "./CollisionSettings";
 import { depthOf, hitOf } from "./hits";
 
 /** The wire as made lies elsewhere by what is said above. */
@@ -32,6 +33,7 @@ export function Contacts() {
         </ul>
       )}
       {contacts.length === 0 ? <Nothing /> : <Estimates />}
+      <CollisionSettings />
       {shown !== "designed" && <p className="muted small">{OF_DESIGNED}</p>}
       {contacts.length + elsewhere > 0 && <Avoid />}
       {elsewhere > 0 && <p className="muted small">{count(elsewhere, "collision")} of other wires</p>}

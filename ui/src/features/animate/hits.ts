@@ -3,17 +3,21 @@
 import type { ContactReport } from "../../generated/responses";
 import { count, type DisplayUnit, length } from "../../shared/figures/format";
 
-/** "Step 5 hits the head", "Step 5: the wire hits itself". */
-export function hitOf({ step, body, finding }: Pick<ContactReport, "step" | "body" | "finding">): string {
-  if (body === null) return `Step ${step + 1}: the wire hits itself`;
-  return `Step ${step + 1} hits the ${finding.body ?? "machine"}`;
+type Hit = Pick<ContactReport, "step" | "body" | "finding" | "depth_mm">;
+
+/** "Step 5 hits the head", "Step 5: the wire comes near itself". */
+export function hitOf({ step, body, finding, depth_mm }: Hit): string {
+  const hits = depth_mm < 0 ? "comes near" : "hits";
+  if (body === null) return `Step ${step + 1}: the wire ${hits} itself`;
+  return `Step ${step + 1} ${hits} the ${finding.body ?? "machine"}`;
 }
 
-/** "2.1 mm deep, in 3 more steps; estimate". */
+/** "2.1 mm deep, in 3 more steps; estimate", "within 0.4 mm". */
 export function depthOf(
   { depth_mm, later, estimated }: Pick<ContactReport, "depth_mm" | "later" | "estimated">,
   unit: DisplayUnit,
 ): string {
   const again = later > 0 ? `, in ${count(later, "more step")}` : "";
-  return `${length(depth_mm, unit)} deep${again}${estimated ? "; estimate" : ""}`;
+  const far = depth_mm < 0 ? `within ${length(-depth_mm, unit)}` : `${length(depth_mm, unit)} deep`;
+  return `${far}${again}${estimated ? "; estimate" : ""}`;
 }

@@ -41,6 +41,7 @@ const wire: WireFigures = {
   currency: "USD",
   length_mm: 100,
   mass_g: 1,
+  sag: null,
   stock_mm: 120,
   time_s: 10,
   route: [0, 1],
@@ -126,6 +127,17 @@ describe("the list of checks", () => {
     const [measured] = groupsOf(check([hit(2, 3.7, { severity: "error" })]));
     expect(measured && figuresOf(measured, "mm")).toBe("3.7 mm deep");
     expect(whatOf(hit(0, 3, { code: "meets_stock", body: null }))).toBe("The wire hits itself in step 1");
+    // What only comes nearer than the clearance hits nothing.
+    const [hits, near] = groupsOf(check([hit(2, 3.7), hit(2, -11), hit(4, -6, { body: "peg" })]));
+    expect(hits && [titleOf(hits), figuresOf(hits, "mm")]).toEqual([
+      "The wire hits the head in step 3",
+      "3.7 mm deep; dimensions are estimates",
+    ]);
+    expect(near && [titleOf(near), figuresOf(near, "mm")]).toEqual([
+      "The wire comes near 2 bodies of the machine",
+      "within 6.0 mm",
+    ]);
+    expect(whatOf(hit(0, -3, { code: "meets_stock", body: null }))).toBe("The wire comes near itself in step 1");
   });
 
   it("says that a strut buckles where its load is reached, as the message does, and else that it is near that", () => {

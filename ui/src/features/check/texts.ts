@@ -2,7 +2,7 @@ import type { Collisions, DiagnosticCode, DiagnosticReport, LiveCheck } from "..
 import { angle, count, type DisplayUnit, length, number, sentence } from "../../shared/figures/format";
 import type { Tone } from "../../shared/lists/Mark";
 import type { Known } from "../../state/design/collisions";
-import { isCollision } from "../../state/design/findings";
+import { isCollision, isNear } from "../../state/design/findings";
 import { isCompensated } from "../viewport/marks";
 
 /** A measured value or a limit with its unit; null where there is none. */
@@ -19,7 +19,9 @@ export function valueText(
 }
 
 /** The measured value of a finding, for a label; null where it has none. */
-export function measureText({ code, value, unit }: DiagnosticReport, shown: DisplayUnit): string | null {
+export function measureText(report: DiagnosticReport, shown: DisplayUnit): string | null {
+  const { code, value, unit } = report;
+  if (isNear(report)) return `within ${valueText(-(value ?? 0), unit, shown)}`;
   const text = unit ? valueText(value, unit, shown) : null;
   return text !== null && isCollision(code) ? `${text} deep` : text;
 }
@@ -83,12 +85,12 @@ const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
     many: (n) => `${n} corners gentler than the axis resolves`,
   },
   meets_machine: {
-    one: (r) => `The wire hits the ${r.body ?? "machine"}${inStep(r)}`,
-    many: (n) => `The wire hits ${n} bodies of the machine`,
+    one: (r) => `The wire ${meets(r)} the ${r.body ?? "machine"}${inStep(r)}`,
+    many: (n, first) => `The wire ${meets(first)} ${n} bodies of the machine`,
   },
   meets_stock: {
-    one: (r) => `The wire hits itself${inStep(r)}`,
-    many: (n) => `The wire hits itself: ${n} times`,
+    one: (r) => `The wire ${meets(r)} itself${inStep(r)}`,
+    many: (n, first) => `The wire ${meets(first)} itself: ${n} times`,
   },
   frame_unsupported: { one: () => "Nothing holds the frame", many: (n) => `Nothing holds ${n} parts of the frame` },
   frame_mechanism: { one: (r) => `The frame does not stand${at(r)}`, many: (n) => `${n} parts do not stand` },
@@ -153,6 +155,9 @@ function edgeName({ edge, edges }: Place): string {
 /** The value is the share of the load at which it buckles. */
 const buckles = ({ value }: Place): boolean => (value ?? 0) >= 1;
 
+/** Below zero is how near it comes. */
+const meets = ({ value }: Place): string => ((value ?? 0) < 0 ? "comes near" : "hits");
+
 /** Of several edges the value is that of the worst, which is the first. */
 function nearBuckling(report: Place): string {
   const more = (report.edges?.length ?? 1) - 1;
@@ -176,7 +181,7 @@ function at({ vertex }: Place): string {
   return vertex === null || vertex === undefined ? "" : ` at vertex ${vertex}`;
 }
 
-/** Diagnostics of the same kind and severity, in the order in which they came. */
+/** Diagnostics of the same kind and severity, in the order in which they came; what is hit apart from what the wire only comes near. */
 export interface Group {
   readonly key: string;
   readonly severity: DiagnosticReport["severity"];
@@ -186,7 +191,7 @@ export interface Group {
 export function groupsOf(check: LiveCheck): Group[] {
   const groups = new Map<string, DiagnosticReport[]>();
   for (const report of check.diagnostics) {
-    const key = `${report.severity}:${report.code}`;
+    const key = `${report.severity}:${report.code}${isNear(report) ? ":near" : ""}`;
     groups.set(key, [...(groups.get(key) ?? []), report]);
   }
   return [...groups].map(([key, reports]) => ({ key, severity: reports[0]?.severity ?? "info", reports }));
@@ -221,7 +226,8 @@ function isLeast({ code, value, limit, severity }: DiagnosticReport): boolean {
 function worstOf(reports: readonly DiagnosticReport[]): DiagnosticReport | undefined {
   const [first] = reports;
   const sign = first && isLeast(first) ? 1 : -1;
-  const size = ({ value }: DiagnosticReport) => Math.abs(value ?? 0) * sign;
+  // Of collisions the deepest, and of what is only near the nearest.
+  const size = ({ code, value }: DiagnosticReport) => (isCollision(code) ? (value ?? 0) : Math.abs(value ?? 0)) * sign;
   return reports.toSorted((a, b) => size(a) - size(b))[0];
 }
 
@@ -235,7 +241,9 @@ export function figuresOf({ reports }: Group, unit: DisplayUnit): string {
   // A count says it all in the line above; what to do about it says more.
   if (!worst.unit) return sentence(worst.help);
   if (isCollision(worst.code)) {
-    const deep = `${reports.length === 1 ? "" : "up to "}${measureText(worst, unit)}`;
+    const figure = measureText(worst, unit);
+    if (isNear(worst)) return `${figure}`;
+    const deep = `${reports.length === 1 ? "" : "up to "}${figure}`;
     // What is measured is an error.
     const estimated = worst.code === "meets_machine" && worst.severity === "warning";
     return estimated ? `${deep}; dimensions are estimates` : deep;

@@ -35,6 +35,7 @@ export function Preview({ format }: { readonly format: FormatEntry }) {
     state?.closed,
     state?.reversed,
     state?.walks,
+    state?.collisions,
     unit,
   ]);
   const mine = shown?.format === format.id ? shown : null;

@@ -11,6 +11,7 @@ const wire = (given: Partial<WireFigures> = {}): WireFigures => ({
   currency: "USD",
   length_mm: 11_821.4,
   mass_g: 226,
+  sag: null,
   route: [],
   stock_mm: 12_221.4,
   time_s: 3130,

@@ -7,7 +7,17 @@ const report = (
   severity: DiagnosticReport["severity"],
   rest: Partial<DiagnosticReport> = {},
 ): DiagnosticReport => ({ code, severity, message: code, help: "", ...rest });
-const figures = { bends: 1, cost: 1, stock_cost: 2, currency: "USD", length_mm: 1, mass_g: 1, stock_mm: 1, time_s: 1 };
+const figures = {
+  bends: 1,
+  cost: 1,
+  stock_cost: 2,
+  currency: "USD",
+  length_mm: 1,
+  mass_g: 1,
+  sag: null,
+  stock_mm: 1,
+  time_s: 1,
+};
 const check = (diagnostics: DiagnosticReport[], route: number[] = []): LiveCheck => ({
   feasible: false,
   diagnostics,

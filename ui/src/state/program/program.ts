@@ -90,8 +90,8 @@ export function useOtherWire(): string | null {
 
 function basisNow(): Basis {
   const { vertices, edges, state } = useDesign.getState();
-  const { machine, material, doublings, start, wires, closed, reversed, walks, pauses } = state ?? {};
-  const choices = JSON.stringify([machine, material, doublings, start, wires, closed, reversed, walks]);
+  const { machine, material, doublings, start, wires, closed, reversed, walks, collisions, pauses } = state ?? {};
+  const choices = JSON.stringify([machine, material, doublings, start, wires, closed, reversed, walks, collisions]);
   const pausing = JSON.stringify(pauses ?? []);
   const { file } = useRunFile.getState();
   return { vertices, edges, choices, pauses: pausing, profiles: useMachines.getState().changes, file };

@@ -26,7 +26,7 @@ fn wall_at(x: f64, margin: f64) -> Vec<Diagnostic> {
     let mut machine = published_machine();
     machine.bodies = Bodies { all: vec![wall], ..Bodies::default() };
     let corner = chain(&[[0., 0., 0.], [40., 0., 0.], [40., 60., 0.]]);
-    let options = PlanOptions { contacts: Some(mm(margin)), ..PlanOptions::default() };
+    let options = PlanOptions { contacts: true, clearance: mm(margin), ..PlanOptions::default() };
     let mut found = on(&machine, &corner, &options);
     found.retain(|diagnostic| diagnostic.code() == Code::MeetsMachine);
     found

@@ -17,8 +17,8 @@ use wirebend_core::mesh::{Placement, Stencil};
 use wirebend_core::wireframe::{Edge, EdgeId, Joint, JointKind, NextIds, Vertex, VertexId, Wireframe};
 use wirebend_error::ErrorRemedy;
 use wirebend_files::document::{
-    ConstructionLine, Document, Job, Look, PartLook, PausePoint, Pin, PinTarget, ProfileSnapshot, SourceFile,
-    StencilSource, Walk, WireCount, sha256_hex,
+    Clearance, CollisionSettings, ConstructionLine, Document, Job, Look, PartLook, PausePoint, Pin,
+    PinTarget, ProfileSnapshot, SourceFile, StencilSource, Walk, WireCount, sha256_hex,
 };
 use wirebend_files::read::{Format, LengthUnit, ReadOptions, read};
 
@@ -52,6 +52,7 @@ fn example() -> Document {
         closed: false,
         reversed: true,
         walks: vec![Walk { start: b, edges: vec![edge, edge, other] }],
+        collisions: CollisionSettings { clearance_mm: Clearance::try_from(0.5).unwrap(), sag: true },
         pins: vec![
             Pin { on: PinTarget::Vertex(a), text: "hold here".into() },
             Pin { on: PinTarget::Edge(edge), text: String::new() },
@@ -118,6 +119,10 @@ fn a_document_is_laid_out_for_people() {
               "edges": [0, 0, 1]
             }
           ],
+          "collisions": {
+            "clearance_mm": 0.5,
+            "sag": true
+          },
           "pins": [
             {
               "on": {"vertex": 0},
@@ -240,6 +245,7 @@ fn what_is_no_document_is_refused_with_advice() {
         with("\"vertex\": 1", "\"vertex\": 3"),
         with("\"pass\": 2", "\"pass\": 0"),
         with("turn the part", " "),
+        with("\"clearance_mm\": 0.5", "\"clearance_mm\": -0.5"),
         with("\"doublings\": [\n    0", "\"doublings\": [\n    5"),
         with("\"wires\": 3", "\"wires\": 0"),
         with("\"wires\": 3", "\"wires\": 3,\n  \"closed\": true"),
@@ -249,7 +255,7 @@ fn what_is_no_document_is_refused_with_advice() {
         document-newer: a.wirebend: its version 2 is newer than 1, the newest known here [UpdateProgram]
         document-no-such-version: a.wirebend: there is no version 0 of this format: the file is damaged [UseLastCopy]
         document-wrong-format: a.wirebend: this is a "wbjob" file, expected "wirebend" [OpenAsItIs]
-        document-json: a.wirebend, line 40, column 12: unknown field `doubling`, expected one of `format`, `version`, `wireframe`, `stencils`, `stencil`, `parts`, `construction`, `machine`, `material`, `doublings`, `start`, `wires`, `closed`, `reversed`, `walks`, `pins`, `pauses`, `notes`, `units`, `source` [UseLastCopy]
+        document-json: a.wirebend, line 40, column 12: unknown field `doubling`, expected one of `format`, `version`, `wireframe`, `stencils`, `stencil`, `parts`, `construction`, `machine`, `material`, `doublings`, `start`, `wires`, `closed`, `reversed`, `walks`, `collisions`, `pins`, `pauses`, `notes`, `units`, `source` [UseLastCopy]
         document-wireframe: a.wirebend: vertex 1 exists already [UseLastCopy]
         document-wireframe: a.wirebend: (30, 0.3333333333333333, 9999999) is not a position: each coordinate must be a number within ±1 000 000 mm [UseLastCopy]
         document-wireframe: a.wirebend: (30, 0, 5000000) is not a position: each coordinate must be a number within ±1 000 000 mm [UseLastCopy]
@@ -259,8 +265,9 @@ fn what_is_no_document_is_refused_with_advice() {
         document-dangling: a.wirebend: "pins" names edge 3, which is not in the wireframe [UseLastCopy]
         document-dangling: a.wirebend: "parts" names edge 3, which is not in the wireframe [UseLastCopy]
         document-dangling: a.wirebend: "pauses" names vertex 3, which is not in the wireframe [UseLastCopy]
-        document-json: a.wirebend, line 65, column 15: invalid value: integer `0`, expected a nonzero u32 [UseLastCopy]
-        document-json: a.wirebend, line 67, column 5: a pause point says what to do: its note is empty [UseLastCopy]
+        document-json: a.wirebend, line 69, column 15: invalid value: integer `0`, expected a nonzero u32 [UseLastCopy]
+        document-json: a.wirebend, line 71, column 5: a pause point says what to do: its note is empty [UseLastCopy]
+        document-json: a.wirebend, line 53, column 24: a clearance of -0.5 mm, expected zero or more [UseLastCopy]
         document-dangling: a.wirebend: "doublings" names edge 5, which is not in the wireframe [UseLastCopy]
         document-json: a.wirebend, line 44, column 12: invalid value: integer `0`, expected a nonzero u32 [UseLastCopy]
         document-closed-wires: a.wirebend: "closed" is for one wire, and "wires" is 3 [UseLastCopy]

@@ -1,0 +1,63 @@
+// @vitest-environment happy-dom
+import { act } from "react";
+import { beforeEach, expect, it, vi } from "vitest";
+
+const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
+vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
+
+import type { WireFigures } from "../../generated/responses";
+import { place } from "../../shared/testing";
+import { useDesign } from "../../state/design/design";
+import { useRunFile } from "../../state/program/run_file";
+import { designState } from "../../state/testing";
+import { CollisionSettings } from "./CollisionSettings";
+
+const at = place();
+const wire: WireFigures = {
+  length_mm: 400,
+  stock_mm: 800,
+  bends: 3,
+  time_s: 60,
+  cost: null,
+  stock_cost: null,
+  currency: null,
+  mass_g: null,
+  sag: { deflection_mm: 3.24, step: 4, reach_mm: 300, joint: { off_mm: 0.44, step: 2, vertex: 7 } },
+  route: [],
+};
+
+beforeEach(() => {
+  const state = designState({ collisions: { clearance_mm: 0.5, sag: false } });
+  const nothing = { vertices: [], gone_vertices: [], edges: [], gone_edges: [], stencil: false, state };
+  platform.ask.mockReset().mockResolvedValue({ change: nothing });
+  useRunFile.setState({ file: null });
+  useDesign.setState({ state, check: { feasible: true, diagnostics: [], wires: [wire], limits_unknown: null } });
+});
+
+const asked = () => platform.ask.mock.calls.filter(([name]) => name === "edit").map(([, { request }]) => request);
+const open = () => act(() => at.host.querySelector<HTMLButtonElement>(".fold-head")?.click());
+
+it("sets the clearance, and whether the part hangs, each beside the other", async () => {
+  at.show(<CollisionSettings />);
+  expect(at.host.textContent).toBe("Collision settingsclearance 0.5 mm");
+  open();
+  const [clearance, hangs] = at.host.querySelectorAll("input");
+  expect([clearance?.value, hangs?.checked]).toEqual(["0.5", false]);
+  await act(async () => void clearance?.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowUp", bubbles: true })));
+  await act(async () => hangs?.click());
+  expect(asked()).toEqual([
+    { edit: "collisions", clearance_mm: 1.5, sag: false },
+    { edit: "collisions", clearance_mm: 0.5, sag: true },
+  ]);
+});
+
+it("says how far each wire sags", () => {
+  at.show(<CollisionSettings />);
+  open();
+  const one = "Its free end sags by up to 3.2 mm, in step 5. It is 0.4 mm off where step 3 comes back to vertex 7.";
+  expect(at.host.textContent).toContain(one);
+  const straight = { ...wire, sag: wire.sag && { ...wire.sag, joint: null } };
+  const wires = [straight, { ...wire, sag: null }, wire];
+  act(() => useDesign.setState({ check: { feasible: true, diagnostics: [], wires, limits_unknown: null } }));
+  expect(at.host.textContent).toContain("Wire 1: its free end sags by up to 3.2 mm, in step 5.Wire 3: its free end");
+});

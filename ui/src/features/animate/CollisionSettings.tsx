@@ -1,0 +1,53 @@
+import type { SagReport } from "../../generated/responses";
+import { Field } from "../../shared/controls/Field";
+import { Fold } from "../../shared/controls/Fold";
+import { Checkbox } from "../../shared/controls/inputs";
+import { NumberField } from "../../shared/controls/NumberField";
+import { type DisplayUnit, length } from "../../shared/figures/format";
+import { useUnit } from "../../shared/figures/unit";
+import { edit, useDesign } from "../../state/design/design";
+import { useRunFile } from "../../state/program/run_file";
+
+/** How collisions are looked for. */
+export function CollisionSettings() {
+  const unit = useUnit();
+  const state = useDesign((design) => design.state);
+  const wires = useDesign((design) => design.check?.wires);
+  // A file that is run has its own.
+  const file = useRunFile((run) => run.file);
+  if (!state || file) return null;
+  const { clearance_mm, sag } = state.collisions;
+  const phrase = [clearance_mm > 0 ? `clearance ${length(clearance_mm, unit)}` : null, sag ? "as it hangs" : null];
+  const set = (change: { readonly clearance_mm?: number; readonly sag?: boolean }) =>
+    void edit({ edit: "collisions", clearance_mm, sag, ...change });
+  return (
+    <Fold title="Collision settings" phrase={phrase.filter(Boolean).join(", ") || "no clearance, as bent"}>
+      <Field label="Clearance" hint="What comes nearer than this without hitting is named too">
+        {(ids) => (
+          <NumberField
+            {...ids}
+            label="Clearance"
+            value={clearance_mm}
+            min={0}
+            onCommit={(mm) => set({ clearance_mm: mm })}
+          />
+        )}
+      </Field>
+      <Checkbox checked={sag} onChange={(on) => set({ sag: on })}>
+        Look as the part hangs under its own weight
+      </Checkbox>
+      {wires?.map(({ sag: found }, index) => {
+        const name = wires.length > 1 ? `Wire ${index + 1}: its` : "Its";
+        // biome-ignore lint/suspicious/noArrayIndexKey: wires have no other name
+        return found && <p key={index} className="muted small">{`${name} ${sagOf(found, unit)}`}</p>;
+      })}
+    </Fold>
+  );
+}
+
+/** How far a part sags, steps counted from 1. */
+function sagOf({ deflection_mm, step, joint }: SagReport, unit: DisplayUnit): string {
+  const most = `free end sags by up to ${length(deflection_mm, unit)}, in step ${step + 1}.`;
+  if (!joint) return most;
+  return `${most} It is ${length(joint.off_mm, unit)} off where step ${joint.step + 1} comes back to vertex ${joint.vertex}.`;
+}
