@@ -140,10 +140,10 @@ impl First<'_> {
 }
 
 /// The least distance between chain and solid over the motion, as far as it is below `reach`; `None` where they do not come
-/// within it. It is above the exact one by twice `tolerance` at most, or by this share of how far it is below `reach`.
+/// within it. It is above the exact one by twice `tolerance` at most, or by this share of how far it is below `surface`.
 #[must_use]
-pub fn closest(task: &Task, share: f64) -> Option<Meeting> {
-    let mut search = Closest { task, share, best: None };
+pub fn closest(task: &Task, surface: f64, share: f64) -> Option<Meeting> {
+    let mut search = Closest { task, surface, share, best: None };
     search.look(task.chain.all()?, Span::WHOLE, &task.motion.pose(Span::WHOLE.middle()));
     search.best
 }
@@ -174,6 +174,7 @@ impl Span {
 
 struct Closest<'a> {
     task: &'a Task<'a>,
+    surface: f64,
     share: f64,
     best: Option<Meeting>,
 }
@@ -222,7 +223,7 @@ impl Closest<'_> {
     }
 
     fn tolerance(&self) -> f64 {
-        let below = self.best.map_or(0.0, |best| self.task.reach - best.distance);
+        let below = self.best.map_or(0.0, |best| self.surface - best.distance);
         self.task.tolerance.max(self.share * below)
     }
 }

@@ -51,7 +51,7 @@ proptest! {
             prop_assert!(distance <= reach + TOLERANCE + 1e-9, "a false contact at {distance}");
             prop_assert!((distance - found.distance).abs() < 1e-6);
         }
-        let nearest = closest(&task, 0.0);
+        let nearest = closest(&task, 0.0, 0.0);
         let least = times.map(|time| at_time(&chain, &solid, &motion, time).0).fold(f64::INFINITY, f64::min);
         match nearest {
             None => prop_assert!(least >= reach - 1e-9, "{least}"),
@@ -101,7 +101,7 @@ fn a_chain_fed_against_a_wall_meets_it_where_it_is() {
     let contact = first_contact(&task(1.5)).expect("the wall is in the way");
     assert!((contact.time - 0.275).abs() < 1e-4 && contact.piece == 0 && contact.along < 1e-6, "{contact:?}");
     // It goes through the middle: 1 mm deep, measured from the centreline.
-    let deepest = closest(&task(1.5), 0.0).expect("the wall is in the way");
+    let deepest = closest(&task(1.5), 0.0, 0.0).expect("the wall is in the way");
     assert!((deepest.distance + 1.0).abs() < 2.0 * TOLERANCE, "{deepest:?}");
 }
 
@@ -119,6 +119,6 @@ fn a_chain_without_pieces_meets_nothing() {
             reach: 1.0,
             tolerance: TOLERANCE,
         };
-        assert!(first_contact(&task).is_none() && closest(&task, 0.0).is_none());
+        assert!(first_contact(&task).is_none() && closest(&task, 0.0, 0.0).is_none());
     }
 }

@@ -9,7 +9,7 @@ pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
 }
 
 fn finding(wire: &WireStages, first: &FirstContact) -> Option<Diagnostic> {
-    let FirstContact { contact, depth, later } = *first;
+    let FirstContact { contact, depth, later, .. } = *first;
     let margin = wire.margin;
     let struck = wire.edges_of_step(contact.leg);
     let mut location = wire.location_of_step(contact.step);

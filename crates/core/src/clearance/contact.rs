@@ -35,13 +35,15 @@ pub struct Contact {
     pub along: Length,
 }
 
-/// Where a wire first meets one thing.
+/// Where a wire first hits one thing, or where it never does, first comes nearer to it than the margin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FirstContact {
     /// The first contact with it.
     pub contact: Contact,
     /// How deep it is at the worst of that step.
     pub depth: Length,
-    /// In how many later steps they meet again.
+    /// In how many later steps they meet again: are hit, where this is a hit.
     pub later: usize,
+    /// Whether it is hit.
+    pub hits: bool,
 }

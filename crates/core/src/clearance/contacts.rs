@@ -11,7 +11,27 @@ use super::stroke::Phase;
 use super::wire::Clearance;
 use crate::units::Length;
 
-/// How exact depths are, mm, and as a share of them.
+/// How contacts are looked for, from one step to the next.
+struct Look {
+    /// Whether what is found is hit.
+    hits: bool,
+    margin: Length,
+    /// What was met in the step before.
+    met: Vec<Obstacle>,
+}
+
+/// Adds a contact to the first ones: of what is hit anywhere the first hit, of all else where it is first near.
+fn add(found: &mut Vec<FirstContact>, first: FirstContact) {
+    let known = found.iter_mut().find(|known| known.contact.obstacle == first.contact.obstacle);
+    match known {
+        None => found.push(first),
+        Some(known) if known.hits == first.hits => known.later += 1 + first.later,
+        Some(known) if first.hits => *known = first,
+        Some(_) => {}
+    }
+}
+
+/// How exact depths are, mm, and as a share of how far what is hit is gone into.
 const DEPTH_EXACT: f64 = 0.02;
 const DEPTH_SHARE: f64 = 0.05;
 
@@ -36,26 +56,40 @@ impl Clearance<'_> {
         steps: Range<usize>,
         mut goes_on: impl FnMut(usize) -> bool,
     ) -> Option<Vec<FirstContact>> {
-        self.met.clear();
+        let margin = self.wire.margin;
+        // What is near in one step must not hide what is hit in a later one.
+        let mut looks = vec![Look { hits: true, margin: Length::ZERO, met: Vec::new() }];
+        if margin > Length::ZERO {
+            looks.push(Look { hits: false, margin, met: Vec::new() });
+        }
         if let Some(before) = steps.start.checked_sub(1) {
             // What it meets already is no new contact.
-            self.contacts_of(before);
+            for look in &mut looks {
+                self.looked(look, before);
+            }
         }
         let mut found: Vec<FirstContact> = Vec::new();
         for step in steps {
             if !goes_on(step) {
                 return None;
             }
-            for contact in self.contacts_of(step) {
-                let known = found.iter_mut().find(|first| first.contact.obstacle == contact.obstacle);
-                if let Some(first) = known {
-                    first.later += 1;
-                } else {
-                    found.push(FirstContact { contact, depth: Length::ZERO, later: 0 });
+            for look in &mut looks {
+                for contact in self.looked(look, step) {
+                    add(&mut found, FirstContact { contact, depth: Length::ZERO, later: 0, hits: look.hits });
                 }
             }
         }
         Some(found)
+    }
+
+    /// The contacts of a step, as a look has them.
+    fn looked(&mut self, look: &mut Look, step: usize) -> Vec<Contact> {
+        let margin = std::mem::replace(&mut self.wire.margin, look.margin);
+        std::mem::swap(&mut self.met, &mut look.met);
+        let contacts = self.contacts_of(step);
+        std::mem::swap(&mut self.met, &mut look.met);
+        self.wire.margin = margin;
+        contacts
     }
 
     /// The first contacts of the whole wire, from those of its parts in the order of their steps.
@@ -63,12 +97,17 @@ impl Clearance<'_> {
     pub fn merged(&self, parts: impl IntoIterator<Item = Vec<FirstContact>>) -> Vec<FirstContact> {
         let mut found: Vec<FirstContact> = Vec::new();
         for first in parts.into_iter().flatten() {
-            let known = found.iter_mut().find(|known| known.contact.obstacle == first.contact.obstacle);
-            if let Some(known) = known {
-                known.later += 1 + first.later;
-            } else {
-                found.push(FirstContact { depth: self.depth(&first.contact), ..first });
-            }
+            add(&mut found, first);
+        }
+        found.sort_by(|one, other| {
+            let [one, other] = [one.contact, other.contact];
+            one.step
+                .cmp(&other.step)
+                .then(one.phase.cmp(&other.phase))
+                .then(one.passed.total_cmp(&other.passed))
+        });
+        for first in &mut found {
+            first.depth = self.depth(&first.contact);
         }
         found
     }
@@ -95,7 +134,7 @@ impl Clearance<'_> {
         found
     }
 
-    /// How far the wire and what it meets are into each other at the worst of the step, the margin included; to a twentieth.
+    /// How far the wire and what it meets are into each other at the worst of the step, the margin included; to a twentieth without it.
     #[must_use]
     pub fn depth(&self, contact: &Contact) -> Length {
         let body = match contact.obstacle {
@@ -105,7 +144,8 @@ impl Clearance<'_> {
         let Some((body, moves)) = body.zip(self.moves(contact.step)) else { return Length::ZERO };
         let strokes = Strokes::new(self, &moves);
         let mut asked = Asked::new(self, contact.step, &strokes);
-        let deepest = |task: &Task| closest(task, DEPTH_SHARE);
+        let radius = self.wire.diameter.mm() / 2.0;
+        let deepest = |task: &Task| closest(task, radius, DEPTH_SHARE);
         let mut least = self.wire.reach();
         for strokes in strokes.past(body.moves_with) {
             asked.answers((contact.obstacle, body), strokes, DEPTH_EXACT, deepest, &mut |(_, near)| {

@@ -8,11 +8,10 @@ use crate::plan::PlanOptions;
 use crate::testing::{chain, mm, published_machine};
 use crate::units::Length;
 
-/// What is said of a wall so far from the bend point, when a wire 3 mm thick is fed towards it until its first leg, which
-/// stands across, has its centreline at 60 mm.
-fn wall_at(x: f64, margin: f64) -> Vec<Diagnostic> {
+/// A wall so far from the bend point.
+fn wall(x: f64) -> Body {
     let half = Vector3::new(5.0, 200.0, 200.0);
-    let wall = Body {
+    Body {
         name: "wall".to_owned(),
         moves_with: MovesWith::Frame,
         solid: Solid::Box { half },
@@ -22,9 +21,14 @@ fn wall_at(x: f64, margin: f64) -> Vec<Diagnostic> {
         entry: "shapes".to_owned(),
         source: "the test".to_owned(),
         measured: true,
-    };
+    }
+}
+
+/// What is said of a wall so far from the bend point, when a wire 3 mm thick is fed towards it until its first leg, which
+/// stands across, has its centreline at 60 mm.
+fn wall_at(x: f64, margin: f64) -> Vec<Diagnostic> {
     let mut machine = published_machine();
-    machine.bodies = Bodies { all: vec![wall], ..Bodies::default() };
+    machine.bodies = Bodies { all: vec![wall(x)], ..Bodies::default() };
     let corner = chain(&[[0., 0., 0.], [40., 0., 0.], [40., 60., 0.]]);
     let options = PlanOptions { contacts: true, clearance: mm(margin), ..PlanOptions::default() };
     let mut found = on(&machine, &corner, &options);
@@ -41,6 +45,8 @@ fn what_is_too_near_is_said_and_only_what_hits_is_an_error() {
         (1.0, 1.5, Some(Severity::Warning), 0.5),
         (-0.5, 0.0, Some(Severity::Error), 0.5),
         (-0.5, 1.5, Some(Severity::Error), 2.0),
+        (5.0, 12.0, Some(Severity::Warning), 7.0),
+        (-0.5, 12.0, Some(Severity::Error), 12.5),
     ] {
         let found = wall_at(60.0 + 1.5 + gap, margin);
         assert_eq!(
@@ -52,8 +58,29 @@ fn what_is_too_near_is_said_and_only_what_hits_is_an_error() {
         else {
             continue;
         };
-        // Depths are found to a twentieth.
-        assert!((said.mm() - depth).abs() <= 0.05 * depth + 0.02, "{said} instead of {depth}");
+        // Depths are found to a twentieth, however far the wire has to stay away.
+        assert!((said.mm() - depth).abs() <= 0.05 * (-gap).max(0.0) + 0.04, "{said} instead of {depth}");
         assert_eq!(*asked, mm(margin));
+    }
+}
+
+/// A wire that first passes a wall at 5 mm, and hits it in a later step.
+#[test]
+fn what_is_near_at_first_does_not_hide_what_is_hit_later() {
+    let mut machine = published_machine();
+    machine.bodies = Bodies { all: vec![wall(67.0)], ..Bodies::default() };
+    // Fed until its first leg stands across at 60 mm, and in the next step at 80 mm.
+    let stairs = chain(&[[0., 0., 0.], [40., 0., 0.], [40., 60., 0.], [40., 60., 60.], [140., 60., 60.]]);
+    let hit_with = |margin: f64| {
+        let options = PlanOptions { contacts: true, clearance: mm(margin), ..PlanOptions::default() };
+        let found = on(&machine, &stairs, &options);
+        let hits = found.into_iter().filter(|one| one.code() == Code::MeetsMachine && one.is_error());
+        hits.map(|one| (one.location.step, one.fact)).collect::<Vec<_>>()
+    };
+    let without = hit_with(0.0);
+    assert_eq!(without.len(), 1, "{without:?}");
+    for margin in [2.0, 8.0, 60.0] {
+        let with = hit_with(margin);
+        assert_eq!((with.len(), with[0].0), (1, without[0].0), "{margin} mm: {with:?}");
     }
 }

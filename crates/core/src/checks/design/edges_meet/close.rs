@@ -12,8 +12,8 @@ use crate::wireframe::{EdgeId, VertexId, Welder, Wireframe};
 /// A walk along the design shorter than so many diameters joins two places: they are close by nature. Corners up to 151°
 /// that are drawn with short edges leave their legs a diameter apart there: 1/sin(29°/2) = 4.
 const JOINED: f64 = 4.0;
-/// Parallel edges are as close everywhere within so many diameters: less than can be drawn or bent.
-const AS_CLOSE: f64 = 0.01;
+/// Edges are side by side where they come no closer than in the middle of it by more than so many diameters.
+const AS_CLOSE: f64 = 0.1;
 /// No more pairs for each edge are looked at: more are in each other's way only where the design is no larger than its wire.
 const MOST_FOR_ONE: usize = 128;
 /// No walk goes farther than so many vertices; edges with more around them are shorter than any that can be bent.
@@ -108,10 +108,11 @@ impl Layout {
         self.nearest_end(close, side, reach).map(|end| self.around[end].len())
     }
 
-    /// The middle of the part along which two edges lie side by side, where they are as close there: the nearest place of
-    /// parallel edges may be anywhere along it.
+    /// The middle of the part along which two edges lie side by side, where they are about as close there: the nearest place of
+    /// such edges is an end of it. Where it is inside of both they cross.
     pub fn middle(&self, close: &Close, diameter: f64) -> Option<Close> {
-        if Self::shared(close.edges.each_ref().map(|&edge| &self.ends[edge])).is_some() {
+        let crosses = close.parts.iter().all(|&part| 0.0 < part && part < 1.0);
+        if crosses || Self::shared(close.edges.each_ref().map(|&edge| &self.ends[edge])).is_some() {
             return None;
         }
         let [[from, to], [low, high]] = close.edges.map(|edge| self.pieces[edge]);
@@ -124,7 +125,7 @@ impl Layout {
         let part = f64::midpoint(one, other) / length;
         let (distance, [_, across]) = between_pieces(&[from + (to - from) * part; 2], &[low, high]);
         let as_close = distance <= close.distance + AS_CLOSE * diameter;
-        as_close.then_some(Close { distance, parts: [part, across], ..*close })
+        as_close.then_some(Close { parts: [part, across], ..*close })
     }
 
     /// The pairs of edges that come closer than `diameter`, away from where the design joins them.

@@ -153,6 +153,12 @@ fn legs_that_lie_along_each_other_meet_however_they_are_joined() {
     // Side by side from end to end, and nothing joins them.
     let beside = wireframe(&[[0.; 3], [80., 0., 0.], [0., 1., 0.], [80., 1., 0.]], &[(0, 1), (2, 3)]);
     assert!(only(&said(&beside), Code::EdgesMeet).is_error());
+    // So they do where they are not quite parallel; it says how close they come.
+    let tapered = wireframe(&[[0.; 3], [80., 0., 0.], [0., 1., 0.], [80., 1.1, 0.]], &[(0, 1), (2, 3)]);
+    let found = said(&tapered);
+    let meeting = only(&found, Code::EdgesMeet);
+    let Fact::EdgesMeet { near, distance, .. } = meeting.fact else { panic!() };
+    assert!(meeting.is_error() && near == [None, None] && (distance.mm() - 1.0).abs() < 1e-9, "{meeting:?}");
     let wide = chain(&[[60., 0., 0.], [0., 0., 0.], [0., 3.1, 0.], [60., 3.1, 0.]]);
     assert_eq!(meetings(&wide), []);
     // Two edges of one vertex, where a third one lets the wire pass without a fold: the shorter one lies in the other, or
