@@ -200,7 +200,7 @@ impl EditRequest {
             Self::Wires { .. } => "number of wires".to_owned(),
             Self::Closed { .. } => "closed wire".to_owned(),
             Self::Reversed { .. } => "direction of the wire".to_owned(),
-            Self::Collisions { .. } => "check for collisions".to_owned(),
+            Self::Collisions { .. } => "collision settings".to_owned(),
             Self::Walks { .. } => "order of the bends".to_owned(),
             Self::Pause { .. } => "pause point".to_owned(),
             Self::Machine { .. } => "machine".to_owned(),

@@ -26,25 +26,37 @@ pub(super) fn anywhere(finding: Finding, document: &Document) -> Vec<Candidate> 
 /// The vertex of a bend that every route from elsewhere makes, with the edges that are doubled for a wire from there. Without a route
 /// the start alone: which edges are doubled is asked next.
 pub(super) fn there(finding: Finding, trials: &Trials) -> Option<Candidate> {
-    let wire = finding.wire?;
+    let wire = finding.wire.filter(|wire| is_free_for(wire, trials))?;
     let vertex = *finding.diagnostic.location.vertices.first()?;
     let added = finding.diagnostic.remedies.iter().find_map(|remedy| match remedy {
         Remedy::StartAtVertex { added } => *added,
         _ => None,
     })?;
     let start = at(vertex);
-    if wire.route.is_none() {
-        return Some(start);
-    }
     let document = trials.document();
     let edges = doubling(&document.wireframe, &wire.component, Some(vertex), false).ok()?.edges;
-    let edges = [wires::doublings_elsewhere(document, &wire.component), edges].concat();
-    let title = format!("{}, {}", start.title, wires::twice(&edges, added, trials));
-    let edits = vec![start.edit, wires::doublings(&edges)];
+    if wire.route.is_none() || edges.is_empty() && wire.doubled.is_empty() {
+        return Some(start);
+    }
+    let title = format!(
+        "{}, run along {} instead of {}",
+        start.title,
+        wires::twice(&edges, added, trials),
+        wire.doubled.len()
+    );
+    let mut doubled = wires::doublings_elsewhere(document, &wire.component);
+    doubled.extend(&edges);
+    doubled.sort_unstable();
+    let edits = vec![start.edit, wires::doublings(&doubled)];
     Some(Candidate {
         title,
         edit: EditRequest::Several { label: format!("start at vertex {vertex}"), edits },
     })
+}
+
+/// There is one start: that of another wire is not taken away.
+fn is_free_for(wire: &WirePlan, trials: &Trials) -> bool {
+    trials.document().start.is_none_or(|start| wire.component.vertices.binary_search(&start).is_ok())
 }
 
 fn at(start: VertexId) -> Candidate {
@@ -62,12 +74,7 @@ pub(super) fn reversed(document: &Document) -> Candidate {
 
 /// The start with the fewest errors, where that is fewer than there are; of collisions, which may be warnings, with the fewest findings.
 pub(super) fn elsewhere(finding: Finding, trials: &mut Trials) -> Option<Candidate> {
-    let wire = finding.wire?;
-    // There is one start: that of another wire is not taken away.
-    let of_another = trials.document().start.filter(|id| wire.component.vertices.binary_search(id).is_err());
-    if of_another.is_some() {
-        return None;
-    }
+    let wire = finding.wire.filter(|wire| is_free_for(wire, trials))?;
     let mut best: Option<((usize, usize), Candidate)> = None;
     for start in possible(trials.document(), wire, finding.diagnostic.location.vertices.first().copied()) {
         let candidate = at(start);

@@ -59,6 +59,8 @@ fn the_design_keeps_how_they_are_looked_for() {
     }
     let plain = open("house.obj").collision_check(&app(), &[]).unwrap().run(&mut |_, _| true).unwrap();
     assert!(plain.contacts.len() < contacts.len(), "{contacts:#?}");
+    let hits = |body: &Option<String>| contacts.iter().any(|one| one.body == *body && one.value >= Some(0.0));
+    assert!(plain.contacts.iter().all(|contact| hits(&contact.finding.body)), "{contacts:#?}");
     let refused =
         serde_json::from_value(json!({"edit": "collisions", "clearance_mm": -1, "sag": false})).unwrap();
     let error = editor.edit(&app(), &refused).unwrap_err();

@@ -94,7 +94,7 @@ pub fn every_edit() -> Vec<(Value, &'static str)> {
         (json!({"edit": "straighten", "edges": [0, 1], "tolerance_mm": 40}), "straighten"),
         (json!({"edit": "doublings", "edges": [0, 4]}), "doubled edges"),
         (json!({"edit": "start", "vertex": 6}), "start of the wire"),
-        (json!({"edit": "collisions", "clearance_mm": 0.5, "sag": true}), "check for collisions"),
+        (json!({"edit": "collisions", "clearance_mm": 0.5, "sag": true}), "collision settings"),
         (json!({"edit": "pause", "vertex": 6, "pass": 2, "note": "turn the part"}), "pause point"),
         (json!({"edit": "machine", "machine": "pensa-diwire-pro", "material": "steel-3mm"}), "machine"),
         (json!({"edit": "notes", "text": "for the window"}), "notes"),

@@ -119,6 +119,7 @@ fn a_start_at_a_bend_that_is_too_sharp_brings_the_edges_that_are_doubled_for_it(
     let doubled = fixes.iter().find(|fix| fix.mends.code == Code::NoEulerPath).unwrap();
     editor.edit(&app(), &doubled.edit).unwrap();
     let before = editor.check(&app(), &[]).unwrap();
+    let before_doubled = editor.state().doublings;
     let fixes = editor.fixes(&app()).unwrap();
     let starts: Vec<_> = fixes.iter().filter(|fix| fix.title.starts_with("Start at vertex")).collect();
     assert_eq!(starts.len(), 2, "{:?}", titles(&fixes, "bend_too_sharp"));
@@ -129,6 +130,7 @@ fn a_start_at_a_bend_that_is_too_sharp_brings_the_edges_that_are_doubled_for_it(
         });
         assert!((fix.change.length_mm.unwrap() - added.unwrap()).abs() < 1e-6, "{fix:?}");
         assert!(fix.title.contains(&format!("twice (+{:.1} mm, ", added.unwrap())), "{}", fix.title);
+        assert!(fix.title.ends_with(&format!("instead of {}", before_doubled.len())), "{}", fix.title);
         editor.edit(&app(), &fix.edit).unwrap();
         let check = editor.check(&app(), &[]).unwrap();
         let sharp = check.diagnostics.iter().filter(|one| one.code == Code::BendTooSharp);
@@ -139,4 +141,15 @@ fn a_start_at_a_bend_that_is_too_sharp_brings_the_edges_that_are_doubled_for_it(
         assert!(editor.undo().unwrap().is_some() && editor.state().start.is_none());
         assert_eq!(editor.check(&app(), &[]).unwrap(), before);
     }
+    // The start of another wire is not taken away.
+    let far = json!({"edit": "draw", "from": null, "through_mm": [[900, 0, 0], [1000, 0, 0]], "to": null});
+    edit(&mut editor, &far);
+    let last = editor.state().next[0] - 1;
+    edit(&mut editor, &json!({"edit": "start", "vertex": last}));
+    let fixes = editor.fixes(&app()).unwrap();
+    assert!(
+        fixes.iter().all(|fix| !fix.title.starts_with("Start at vertex")),
+        "{:?}",
+        titles(&fixes, "bend_too_sharp")
+    );
 }
