@@ -308,7 +308,7 @@ generate-check: ui/node_modules/.package-lock.json
 # Fuzz targets are outside the workspace; compiled here so that they do not rot.
 .PHONY: fuzz-check
 fuzz-check:
-	env -u RUSTC_WORKSPACE_WRAPPER cargo check --manifest-path fuzz/Cargo.toml --target-dir target
+	env -u RUSTC_WORKSPACE_WRAPPER cargo check --locked --manifest-path fuzz/Cargo.toml --target-dir target
 
 # Comes as a crate; compiled for this repository where it is missing, neither optimised nor for a debugger.
 .PHONY: check-nextest
