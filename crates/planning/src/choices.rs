@@ -52,7 +52,7 @@ pub struct PlanChoices {
     /// document does not say so.
     #[serde(default)]
     pub sag: bool,
-    /// How far the wire has to stay from what it could hit, besides, mm; with `collisions`.
+    /// How far the wire has to stay from what it could hit, besides, mm; with `collisions` or `avoid_collisions`. Absent: as the document says.
     #[schemars(range(min = 0.0))]
     pub collision_margin_mm: Option<f64>,
 }

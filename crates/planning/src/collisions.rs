@@ -117,7 +117,7 @@ fn steps_of(plan: &WirePlan) -> Option<usize> {
 fn contacts_of(plan: &WirePlan, wire: usize, setup: &Setup, findings: &[Diagnostic]) -> Vec<ContactReport> {
     let moments = machine_steps(plan, &setup.model.time).map(|steps| moments(&steps)).unwrap_or_default();
     let steps = plan.scheduled.as_ref().map(|program| program.steps.as_slice()).unwrap_or_default();
-    let report = |(&FirstContact { contact, depth, later }, finding): (&FirstContact, &Diagnostic)| {
+    let report = |(&FirstContact { contact, depth, later, .. }, finding): (&FirstContact, &Diagnostic)| {
         let body = match contact.obstacle {
             Obstacle::Body(index) => Some(index),
             Obstacle::Stock => None,

@@ -132,7 +132,7 @@ pub(crate) struct ChoiceArgs {
 /// How far the wire has to stay from what it could hit.
 #[derive(Debug, Args)]
 pub(crate) struct ClearanceArgs {
-    /// With --collisions, also name what comes nearer than this without hitting, in mm; 0 where the design does not say otherwise
+    /// With --collisions, also name what comes nearer than this without hitting, in mm, instead of what the design or the job says
     #[arg(long, value_name = "MM", requires = "collisions", allow_negative_numbers = true)]
     pub clearance: Option<f64>,
 }

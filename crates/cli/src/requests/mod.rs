@@ -96,7 +96,7 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
                 svg,
                 png,
                 collisions,
-                collision_margin_mm: clearance.clearance.unwrap_or_default(),
+                collision_margin_mm: clearance.clearance,
             }))
         }
         Subcommands::Frame(args) => written(frame::frame(args)?),

@@ -42,6 +42,27 @@ fn a_part_that_sags_too_far_is_warned_of_and_its_job_says_that_it_hangs() {
     assert_eq!((&job["wires"][0]["sag"], &job["wires"][0]["clearance_mm"]), (&true.into(), &2.0.into()));
 }
 
+/// A machine is armed after the same look as the window takes at the design.
+#[test]
+fn a_job_has_how_its_design_is_looked_at_and_options_replace_that() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"").ended(0);
+    run(&["import", &example("house.obj"), "--units", "mm", "-o", "house.wirebend"]);
+    let file = folder.path().join("house.wirebend");
+    let mut design: serde_json::Value = serde_json::from_slice(&std::fs::read(&file).unwrap()).unwrap();
+    design["collisions"] = serde_json::json!({"clearance_mm": 12, "sag": true});
+    std::fs::write(&file, design.to_string()).unwrap();
+    for (options, clearance) in
+        [(&[][..], serde_json::json!(12.0)), (&["--collisions", "--clearance", "0"], serde_json::Value::Null)]
+    {
+        run(&[&["plan", "house.wirebend", "-m", "wirebend-kit", "-o", "house.wbjob", "--force"], options]
+            .concat());
+        let job: serde_json::Value =
+            serde_json::from_slice(&std::fs::read(folder.path().join("house.wbjob")).unwrap()).unwrap();
+        assert_eq!((&job["wires"][0]["sag"], &job["wires"][0]["clearance_mm"]), (&true.into(), &clearance));
+    }
+}
+
 #[test]
 fn every_result_fits_its_schema() {
     let folder = tempfile::tempdir().unwrap();

@@ -117,10 +117,9 @@ fn named(findings: &[Diagnostic]) -> Vec<String> {
     let mut worst: Vec<&Diagnostic> = findings.iter().collect();
     worst.sort_by_key(|finding| finding.severity);
     let mut lines: Vec<String> = worst.into_iter().take(MAX_NAMED).map(text::message).collect();
-    match findings.len().saturating_sub(MAX_NAMED) {
-        0 => {}
-        1 => lines.push("and 1 more collision".to_owned()),
-        more => lines.push(format!("and {more} more collisions")),
+    let more = findings.len().saturating_sub(MAX_NAMED);
+    if more > 0 {
+        lines.push(format!("and {more} more"));
     }
     lines
 }
@@ -235,8 +234,8 @@ mod tests {
         assert!(lines(0, 0, 0)[0].contains("has no bodies"));
         assert_eq!(lines(3, 6, 6).len(), 3);
         assert!(lines(1, 6, 6)[0].starts_with("the wire goes "), "{:?}", lines(1, 6, 6));
-        assert_eq!(lines(4, 6, 6)[3], "and 1 more collision");
-        assert_eq!(lines(5, 6, 6)[3], "and 2 more collisions");
+        assert_eq!(lines(4, 6, 6)[3], "and 1 more");
+        assert_eq!(lines(5, 6, 6)[3], "and 2 more");
         let said = JobCollisions::within(Duration::ZERO, &wire, &planned.setup).lines();
         assert!(said[0].starts_with("collisions not fully searched: "), "{said:?}");
         wire.spans.pop();

@@ -62,11 +62,11 @@ struct Found {
 }
 
 impl<'a> CollisionSearch<'a> {
-    /// For the wire of a job; otherwise why that cannot be. `margin`: how far things have to stay from each other, where that is more
-    /// than the job says.
-    pub fn new(wire: &JobWire, setup: &'a Setup, margin: Length) -> Result<Self, String> {
+    /// For the wire of a job; otherwise why that cannot be. `margin`: how far things have to stay from each other, where that is not as the
+    /// job says.
+    pub fn new(wire: &JobWire, setup: &'a Setup, margin: Option<Length>) -> Result<Self, String> {
         let mut planned = scheduled(wire, setup)?;
-        planned.options.margin = planned.options.margin.max(margin);
+        planned.options.margin = margin.unwrap_or(planned.options.margin);
         Ok(Self { setup, planned, wires: 0, colliding: 0, found: BTreeMap::new() })
     }
 

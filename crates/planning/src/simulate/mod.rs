@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 use wirebend_core::simulate::{
     BadErrorTerm, ErrorModel, ErrorReport, ErrorTerm, ImperfectWire, perfect_wire, simulate as simulate_wire,
 };
-use wirebend_files::document::{Job, JobContents, JobWire};
+use wirebend_files::document::{Clearance, Job, JobContents, JobWire};
 
 use crate::contacts::collision_margin;
 use crate::design::Input;
@@ -62,10 +62,10 @@ pub struct SimulateRequest {
     /// Whether to look where the simulated wires hit the machine or themselves while they are bent.
     #[serde(default)]
     pub collisions: bool,
-    /// How far the wire has to stay from what it could hit, besides, mm; with `collisions`.
+    /// How far the wire has to stay from what it could hit, besides, mm; with `collisions`. Absent: as the job says.
     #[serde(default)]
     #[schemars(range(min = 0.0))]
-    pub collision_margin_mm: f64,
+    pub collision_margin_mm: Option<f64>,
 }
 
 impl SimulateRequest {
@@ -81,7 +81,7 @@ impl SimulateRequest {
             svg: None,
             png: None,
             collisions: false,
-            collision_margin_mm: 0.0,
+            collision_margin_mm: None,
         }
     }
 }
@@ -226,7 +226,7 @@ pub fn simulate(
         output.check()?;
     }
     let runs = if request.noise.is_some() { request.runs } else { 1 };
-    let margin = collision_margin(request.collision_margin_mm)?.length();
+    let margin = request.collision_margin_mm.map(collision_margin).transpose()?.map(Clearance::length);
     let errors = match &request.noise {
         Some(id) => noise_model(app, id)?,
         None => ErrorModel::default(),

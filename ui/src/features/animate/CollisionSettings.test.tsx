@@ -29,7 +29,10 @@ const wire: WireFigures = {
 beforeEach(() => {
   const state = designState({ collisions: { clearance_mm: 0.5, sag: false } });
   const nothing = { vertices: [], gone_vertices: [], edges: [], gone_edges: [], stencil: false, state };
-  platform.ask.mockReset().mockResolvedValue({ change: nothing });
+  platform.ask.mockReset().mockImplementation(async (_, { request }) => {
+    const { clearance_mm, sag } = request;
+    return { change: { ...nothing, state: { ...state, collisions: { clearance_mm, sag } } } };
+  });
   useRunFile.setState({ file: null });
   useDesign.setState({ state, check: { feasible: true, diagnostics: [], wires: [wire], limits_unknown: null } });
 });
@@ -37,17 +40,20 @@ beforeEach(() => {
 const asked = () => platform.ask.mock.calls.filter(([name]) => name === "edit").map(([, { request }]) => request);
 const open = () => act(() => at.host.querySelector<HTMLButtonElement>(".fold-head")?.click());
 
-it("sets the clearance, and whether the part hangs, each beside the other", async () => {
+it("sets the clearance, and whether the part hangs, and neither takes the other back", async () => {
   at.show(<CollisionSettings />);
   expect(at.host.textContent).toBe("Collision settingsclearance 0.5 mm");
   open();
   const [clearance, hangs] = at.host.querySelectorAll("input");
   expect([clearance?.value, hangs?.checked]).toEqual(["0.5", false]);
-  await act(async () => void clearance?.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowUp", bubbles: true })));
-  await act(async () => hangs?.click());
+  // The second before the first is answered.
+  await act(async () => {
+    clearance?.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowUp", bubbles: true }));
+    hangs?.click();
+  });
   expect(asked()).toEqual([
     { edit: "collisions", clearance_mm: 1.5, sag: false },
-    { edit: "collisions", clearance_mm: 0.5, sag: true },
+    { edit: "collisions", clearance_mm: 1.5, sag: true },
   ]);
 });
 
@@ -57,7 +63,7 @@ it("says how far each wire sags", () => {
   const one = "Its free end sags by up to 3.2 mm, in step 5. It is 0.4 mm off where step 3 comes back to vertex 7.";
   expect(at.host.textContent).toContain(one);
   const straight = { ...wire, sag: wire.sag && { ...wire.sag, joint: null } };
-  const wires = [straight, { ...wire, sag: null }, wire];
+  const wires = [{ ...wire, bends: null }, straight, { ...wire, sag: null }, wire];
   act(() => useDesign.setState({ check: { feasible: true, diagnostics: [], wires, limits_unknown: null } }));
   expect(at.host.textContent).toContain("Wire 1: its free end sags by up to 3.2 mm, in step 5.Wire 3: its free end");
 });

@@ -5,21 +5,24 @@ import { Checkbox } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
 import { type DisplayUnit, length } from "../../shared/figures/format";
 import { useUnit } from "../../shared/figures/unit";
-import { edit, useDesign } from "../../state/design/design";
+import { editAsItIs, useDesign } from "../../state/design/design";
 import { useRunFile } from "../../state/program/run_file";
 
 /** How collisions are looked for. */
 export function CollisionSettings() {
   const unit = useUnit();
   const state = useDesign((design) => design.state);
-  const wires = useDesign((design) => design.check?.wires);
+  const check = useDesign((design) => design.check);
   // A file that is run has its own.
   const file = useRunFile((run) => run.file);
   if (!state || file) return null;
   const { clearance_mm, sag } = state.collisions;
+  // Those with a program, as the player counts them.
+  const wires = check?.wires.filter(({ bends }) => bends !== null) ?? [];
   const phrase = [clearance_mm > 0 ? `clearance ${length(clearance_mm, unit)}` : null, sag ? "as it hangs" : null];
+  // A clearance that was typed just before the other is chosen is not there yet.
   const set = (change: { readonly clearance_mm?: number; readonly sag?: boolean }) =>
-    void edit({ edit: "collisions", clearance_mm, sag, ...change });
+    void editAsItIs((design) => design.state && { edit: "collisions", ...design.state.collisions, ...change });
   return (
     <Fold title="Collision settings" phrase={phrase.filter(Boolean).join(", ") || "no clearance, as bent"}>
       <Field label="Clearance" hint="What comes nearer than this without hitting is named too">
@@ -36,7 +39,7 @@ export function CollisionSettings() {
       <Checkbox checked={sag} onChange={(on) => set({ sag: on })}>
         Look as the part hangs under its own weight
       </Checkbox>
-      {wires?.map(({ sag: found }, index) => {
+      {wires.map(({ sag: found }, index) => {
         const name = wires.length > 1 ? `Wire ${index + 1}: its` : "Its";
         // biome-ignore lint/suspicious/noArrayIndexKey: wires have no other name
         return found && <p key={index} className="muted small">{`${name} ${sagOf(found, unit)}`}</p>;

@@ -118,13 +118,14 @@ describe("the list of checks", () => {
       body: "head",
       step,
       limit: 0,
+      remedies: [{ remedy: "measure_body" }],
       ...more,
     });
     expect(whatOf(hit(2, 3.7))).toBe("The wire hits the head in step 3");
     const [one, several] = [[hit(2, 3.7)], [hit(2, 3.7), hit(4, 5.2), hit(6, 1)]].map((all) => groupsOf(check(all))[0]);
     expect(one && figuresOf(one, "mm")).toBe("3.7 mm deep; dimensions are estimates");
     expect(several && figuresOf(several, "mm")).toBe("up to 5.2 mm deep; dimensions are estimates");
-    const [measured] = groupsOf(check([hit(2, 3.7, { severity: "error" })]));
+    const [measured] = groupsOf(check([hit(2, 3.7, { severity: "error", remedies: [] })]));
     expect(measured && figuresOf(measured, "mm")).toBe("3.7 mm deep");
     expect(whatOf(hit(0, 3, { code: "meets_stock", body: null }))).toBe("The wire hits itself in step 1");
     // What only comes nearer than the clearance hits nothing.
@@ -135,7 +136,7 @@ describe("the list of checks", () => {
     ]);
     expect(near && [titleOf(near), figuresOf(near, "mm")]).toEqual([
       "The wire comes near 2 bodies of the machine",
-      "within 6.0 mm",
+      "within 6.0 mm; dimensions are estimates",
     ]);
     expect(whatOf(hit(0, -3, { code: "meets_stock", body: null }))).toBe("The wire comes near itself in step 1");
   });

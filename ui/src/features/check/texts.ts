@@ -242,10 +242,8 @@ export function figuresOf({ reports }: Group, unit: DisplayUnit): string {
   if (!worst.unit) return sentence(worst.help);
   if (isCollision(worst.code)) {
     const figure = measureText(worst, unit);
-    if (isNear(worst)) return `${figure}`;
-    const deep = `${reports.length === 1 ? "" : "up to "}${figure}`;
-    // What is measured is an error.
-    const estimated = worst.code === "meets_machine" && worst.severity === "warning";
+    const deep = `${reports.length === 1 || isNear(worst) ? "" : "up to "}${figure}`;
+    const estimated = worst.remedies?.some(({ remedy }) => remedy === "measure_body");
     return estimated ? `${deep}; dimensions are estimates` : deep;
   }
   const [value, limit] = [valueText(worst.value, worst.unit, unit), valueText(worst.limit, worst.unit, unit)];

@@ -101,7 +101,7 @@ export function Track({
           className={`track-contact ${contact.finding.severity}`}
           style={{ "--at": contact.position / Math.max(of, 1) } as Record<string, number>}
           title={`${hitOf(contact)}: ${sentence(contact.finding.message)}`}
-          aria-label={`Go to the collision: ${hitOf(contact)}`}
+          aria-label={`Go to ${contact.depth_mm < 0 ? "where it is near" : "the collision"}: ${hitOf(contact)}`}
           disabled={off}
           onClick={() => jump(contact.position)}
         />

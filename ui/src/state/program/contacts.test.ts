@@ -12,13 +12,20 @@ import { forgetProgram, goTo } from "./program";
 import { program, view } from "./testing";
 
 const contact = (step: number, at: number, body: number | null, wire = 0) =>
-  ({ wire, step, at, leg: 0, body, finding: { code: "meets_machine" } }) as ContactReport;
+  ({ wire, step, at, leg: 0, body, depth_mm: 0.3, finding: { code: "meets_machine" } }) as ContactReport;
 const found: Collisions = {
   checked: true,
   stopped: false,
   bodies: 6,
   estimates: 6,
-  contacts: [contact(1, 0.5, 2), contact(0, 1, null), contact(1, 0.25, 4), contact(0, 0.5, 3, 1)],
+  // One of them is only near.
+  contacts: [
+    contact(1, 0.5, 2),
+    contact(0, 1, null),
+    contact(1, 0.25, 4),
+    contact(0, 0.5, 3, 1),
+    { ...contact(1, 0.1, 5), depth_mm: -0.2 },
+  ],
 };
 const known = (more: Partial<CollisionsOf> = {}): CollisionsOf => ({ found, version: 3, dragged: false, ...more });
 

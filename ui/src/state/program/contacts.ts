@@ -46,7 +46,7 @@ const contactsNow = (): readonly PlayedContact[] => {
   return ofProgram(isUpToDate()).filter((contact) => contact.wire === wire);
 };
 
-/** The same for what is drawn anew when they change: of the wire that is shown, and how many the others have. */
+/** The same for what is drawn anew when they change: of the wire that is shown, and how many times the others hit something. */
 export function useContacts(): { readonly contacts: readonly PlayedContact[]; readonly elsewhere: number } {
   useDesign(({ collisions }) => collisions);
   useDesign(({ version }) => version);
@@ -54,8 +54,11 @@ export function useContacts(): { readonly contacts: readonly PlayedContact[]; re
   const wire = useProgram((program) => program.wire);
   const all = ofProgram(!useStale());
   const contacts = all.filter((contact) => contact.wire === wire);
-  return { contacts, elsewhere: all.length - contacts.length };
+  return { contacts, elsewhere: hitsOf(all).length - hitsOf(contacts).length };
 }
+
+/** Those at which something is hit: others only come nearer than the clearance. */
+const hitsOf = (contacts: readonly PlayedContact[]) => contacts.filter(({ depth_mm }) => depth_mm >= 0);
 
 /** The collisions of the step that is under way that have happened at a position, the last one first. */
 export function metAt(contacts: readonly PlayedContact[], position: number): readonly PlayedContact[] {
@@ -67,7 +70,7 @@ export function metAt(contacts: readonly PlayedContact[], position: number): rea
 export function touchesNow(): readonly Touch[] {
   const { played: shown, step } = usePlayback.getState();
   if (!shown) return [];
-  return metAt(contactsNow(), step).map(({ leg, body }) => ({ leg, body }));
+  return metAt(hitsOf(contactsNow()), step).map(({ leg, body }) => ({ leg, body }));
 }
 
 const KEY = "wirebend.stop-at-collisions";
@@ -83,6 +86,6 @@ export function setStops(on: boolean): void {
 /** Where playing from one position to another pauses; null where it goes on. */
 export function stopBetween(from: number, to: number): number | null {
   if (!useStops.getState().on) return null;
-  const next = contactsNow().find(({ position }) => position > from + NEAR && position <= to);
+  const next = hitsOf(contactsNow()).find(({ position }) => position > from + NEAR && position <= to);
   return next?.position ?? null;
 }
