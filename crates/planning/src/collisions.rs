@@ -130,7 +130,7 @@ fn contacts_of(plan: &WirePlan, wire: usize, setup: &Setup, findings: &[Diagnost
             at: moments.get(contact.step).map_or(0.0, |moments| contact.time_in(moments, bend)),
             leg: contact.leg,
             body,
-            depth_mm: (depth - plan.contact_options.margin).mm(),
+            depth_mm: depth.mm(),
             later,
             estimated: known.is_some_and(|body| !body.measured),
             finding: DiagnosticReport::from(finding),

@@ -81,8 +81,8 @@ impl CollisionCount {
         let mut count = Self { hits: 0, estimated: 0 };
         for finding in all {
             match finding.fact {
-                Fact::MeetsStock { depth, margin, .. } if depth >= margin => count.hits += 1,
-                Fact::MeetsMachine { depth, margin, measured, .. } if depth >= margin => {
+                Fact::MeetsStock(ref meeting) if meeting.hits() => count.hits += 1,
+                Fact::MeetsMachine { ref meeting, measured, .. } if meeting.hits() => {
                     count.hits += 1;
                     count.estimated += usize::from(!measured);
                 }

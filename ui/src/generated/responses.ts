@@ -2708,7 +2708,7 @@ export interface Fix {
  */
 export interface FixTotals {
   /**
-   * How many things they meet while they are bent; null where that was not looked for.
+   * How many things they hit while they are bent; null where that was not looked for.
    */
   collisions: number | null;
   /**
@@ -2719,6 +2719,10 @@ export interface FixTotals {
    * Designed length, mm.
    */
   length_mm: number | null;
+  /**
+   * How many things they do not hit, but come nearer to than the clearance; null where that was not looked for.
+   */
+  near: number | null;
   /**
    * Stock to load, mm.
    */
@@ -2952,6 +2956,10 @@ export interface DiagnosticReport {
  * Why a search has found nothing, and what was tried after it.
  */
 export interface UnfoundReport {
+  /**
+   * How far the wire had to stay from it, mm.
+   */
+  clearance_mm: number;
   /**
    * Whether a person has ended the search or these trials: there may be changes that were not tried.
    */

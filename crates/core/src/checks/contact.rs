@@ -1,6 +1,6 @@
 //! Whether the wire already bent meets the machine, or the wire that is still to come.
 
-use super::{Diagnostic, Fact, Location, Remedy, Severity, Source, Sourced, WireStages};
+use super::{Diagnostic, Fact, Location, Meeting, Remedy, Severity, Source, Sourced, WireStages};
 use crate::clearance::{Contact, FirstContact, Obstacle};
 use crate::units::Length;
 
@@ -10,11 +10,11 @@ pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
 
 fn finding(wire: &WireStages, first: &FirstContact) -> Option<Diagnostic> {
     let FirstContact { contact, depth, later, .. } = *first;
-    let margin = wire.margin;
+    let Contact { phase, fed, bent, head, .. } = contact;
     let struck = wire.edges_of_step(contact.leg);
+    let meeting = Meeting { struck: struck.clone(), phase, fed, bent, head, depth, later };
     let mut location = wire.location_of_step(contact.step);
     let search = (!wire.searched).then_some(Remedy::AvoidCollisions);
-    let Contact { phase, fed, bent, head, .. } = contact;
     let Obstacle::Body(body) = contact.obstacle else {
         // The stock lies where the next straight part will be.
         let next = wire.edges_of_step(contact.step + 1);
@@ -22,45 +22,28 @@ fn finding(wire: &WireStages, first: &FirstContact) -> Option<Diagnostic> {
         let own = [Remedy::MoveApart, Remedy::ChooseStart, Remedy::SplitDesign];
         return Some(Diagnostic {
             // Wires that touch give way to each other; where one is in the middle of the other, neither can.
-            severity: if depth > margin + Length::computed(wire.diameter.mm() / 2.0) {
+            severity: if depth > Length::computed(wire.diameter.mm() / 2.0) {
                 Severity::Error
             } else {
                 Severity::Warning
             },
             location: Location { edges, ..location },
-            fact: Fact::MeetsStock {
-                struck,
-                phase,
-                fed,
-                bent,
-                head,
-                depth,
-                later,
-                diameter: wire.diameter,
-                margin,
-            },
+            fact: Fact::MeetsStock(meeting),
             remedies: search.into_iter().chain(own).collect(),
         });
     };
     let body = wire.bodies.get(body)?;
-    location.edges.clone_from(&struck);
+    location.edges = struck;
     let source = Source { reason: Some(body.source.clone()), entry: body.entry.clone() };
     // What is only estimated may be elsewhere, and what only comes near does not hit: worth a look, not an error.
-    let severity = if body.measured && depth >= margin { Severity::Error } else { Severity::Warning };
+    let severity = if body.measured && meeting.hits() { Severity::Error } else { Severity::Warning };
     let own = [Remedy::ChooseStart, Remedy::SplitDesign, Remedy::ChooseMachine];
     let measure = (!body.measured).then_some(Remedy::MeasureBody);
     Some(Diagnostic {
         severity,
         location,
         fact: Fact::MeetsMachine {
-            struck,
-            phase,
-            fed,
-            bent,
-            head,
-            depth,
-            margin,
-            later,
+            meeting,
             body: body.name.clone(),
             measured: body.measured,
             limit: Sourced { value: Length::ZERO, source },

@@ -3,10 +3,11 @@
 mod bend_of;
 mod code;
 mod figures;
+mod meeting;
 
 use super::{BendRadius, ReachLimit, Source, Sourced};
 use crate::bend::PathError;
-use crate::clearance::{Obstacle, Phase};
+use crate::clearance::Obstacle;
 use crate::compensate::NearCorner;
 use crate::route::RouteError;
 use crate::sag::Sag;
@@ -15,6 +16,7 @@ use crate::sequence::Violation;
 use crate::units::{Angle, Length};
 use crate::wireframe::{EdgeId, VertexId};
 pub use bend_of::{BendOf, ClosingBend};
+pub use meeting::Meeting;
 
 /// What a finding says, beyond how bad it is and where.
 ///
@@ -272,22 +274,8 @@ pub enum Fact {
     PartSags(Sag),
     /// The wire already bent meets a body of the machine.
     MeetsMachine {
-        /// The edges of the straight part that meets it.
-        struck: Vec<EdgeId>,
-        /// What moves.
-        phase: Phase,
-        /// How much of the step is fed.
-        fed: Length,
-        /// How far the wire is bent, with the sign of the bend.
-        bent: Angle,
-        /// Where the head is, right-handed about +x of the machine.
-        head: Angle,
-        /// How far they are into each other at the worst of the step, the margin included.
-        depth: Length,
-        /// How far from each other they have to stay.
-        margin: Length,
-        /// In how many later steps they meet again.
-        later: usize,
+        /// How.
+        meeting: Meeting,
         /// What the body is called.
         body: String,
         /// Whether its dimensions were measured.
@@ -296,26 +284,7 @@ pub enum Fact {
         limit: Sourced<Length>,
     },
     /// The wire already bent meets the wire that is still to be bent.
-    MeetsStock {
-        /// The edges of the straight part that meets it.
-        struck: Vec<EdgeId>,
-        /// What moves.
-        phase: Phase,
-        /// How much of the step is fed.
-        fed: Length,
-        /// How far the wire is bent, with the sign of the bend.
-        bent: Angle,
-        /// Where the head is, right-handed about +x of the machine.
-        head: Angle,
-        /// How far they are into each other at the worst of the step, the margin included.
-        depth: Length,
-        /// How far from each other they have to stay.
-        margin: Length,
-        /// In how many later steps they meet again.
-        later: usize,
-        /// Diameter of both.
-        diameter: Length,
-    },
+    MeetsStock(Meeting),
     /// A search has found no program whose wire meets nothing.
     NoClearProgram {
         /// How many steps were checked.
@@ -328,6 +297,8 @@ pub enum Fact {
         body: Option<String>,
         /// How many edges were passed there, and how many there are, counted as often as they are to be passed.
         passed: Option<(usize, usize)>,
+        /// How far the wire had to stay from what it could hit.
+        clearance: Length,
         /// Which changes were tried and help.
         helps: Helps,
     },

@@ -28,7 +28,7 @@ mod wire_diameter;
 pub use code::Code;
 pub use design::{Design, check_crossings, check_design};
 pub use diagnostic::{Diagnostic, Location, Severity};
-pub use fact::{BendOf, ClosingBend, Fact};
+pub use fact::{BendOf, ClosingBend, Fact, Meeting};
 pub use limit::{Limit, LimitSource, Quantity, ReachLimit, Source, Sourced};
 pub use remedy::Remedy;
 pub use strength::TORQUE_MARGIN;
@@ -148,8 +148,6 @@ pub struct WireStages<'a> {
     pub sag: Option<Sag>,
     /// Where it meets the machine or itself, as far as somebody looked.
     pub contacts: &'a [FirstContact],
-    /// How far it has to stay from what it could meet: depths are counted from there.
-    pub margin: Length,
     /// The bodies of the machine.
     pub bodies: &'a [Body],
     /// How it is compensated for.

@@ -40,7 +40,7 @@ pub struct Contact {
 pub struct FirstContact {
     /// The first contact with it.
     pub contact: Contact,
-    /// How deep it is at the worst of that step.
+    /// How deep they are in each other at the worst of that step; below zero where it is not hit: they only come so near.
     pub depth: Length,
     /// In how many later steps they meet again: are hit, where this is a hit.
     pub later: usize,

@@ -107,7 +107,10 @@ impl Clearance<'_> {
                 .then(one.passed.total_cmp(&other.passed))
         });
         for first in &mut found {
-            first.depth = self.depth(&first.contact);
+            let depth = self.depth(&first.contact);
+            // What is known to be hit is measured, too, to within a few hundredths of a millimetre.
+            first.depth = if first.hits { depth.max(Length::ZERO) } else { depth };
+            first.hits = first.depth >= Length::ZERO;
         }
         found
     }
@@ -134,7 +137,8 @@ impl Clearance<'_> {
         found
     }
 
-    /// How far the wire and what it meets are into each other at the worst of the step, the margin included; to a twentieth without it.
+    /// How deep the wire and what it meets are in each other at the worst of the step, to a twentieth; below zero where they only come
+    /// nearer than the margin.
     #[must_use]
     pub fn depth(&self, contact: &Contact) -> Length {
         let body = match contact.obstacle {
@@ -153,6 +157,6 @@ impl Clearance<'_> {
                 ControlFlow::Continue(())
             });
         }
-        Length::computed(self.wire.reach() - least)
+        Length::computed(radius - least)
     }
 }

@@ -175,6 +175,7 @@ impl Searching<'_> {
                 obstacle: None,
                 body: None,
                 passed: None,
+                clearance: self.options.clearance,
                 helps: Helps::default(),
             },
             // What is said of these bends says what to do about them.
@@ -207,6 +208,7 @@ impl Searching<'_> {
                 obstacle: obstruction.and_then(|obstruction| obstruction.obstacle),
                 body: body.map(|body| body.name.clone()),
                 passed: obstruction.map(|obstruction| (obstruction.passed, obstruction.of)),
+                clearance: self.options.clearance,
                 helps,
             },
             remedies: measure.into_iter().chain(longer).chain(more).chain(further).collect(),

@@ -25,7 +25,6 @@ pub(super) fn stages_of<'a>(
         compensated: plan.compensated.as_ref(),
         unbendable: &[],
         searched: plan.searched.is_some(),
-        margin: plan.contact_options.margin,
         sag: plan.sag.map(|sag| sag.largest),
         contacts: plan.contacts.as_deref().unwrap_or_default(),
         bodies: &machine.bodies.all,

@@ -100,12 +100,14 @@ impl FixSearch {
         let steps = Steps { progress, searches: Cell::new(false) };
         let searched = SearchedDesign::of(&self.document, &self.setup, choices, &steps)?;
         progress.stage("checking what was found");
-        let now = FixTotals::of(&base).collisions;
+        let met = |trial: &Trial| {
+            let FixTotals { collisions, near, .. } = FixTotals::of(trial);
+            collisions.zip(near)
+        };
         let mends = base.check.diagnostics.iter().find(|said| is_collision(said.code)).cloned();
         let best = mends.zip(searched.best()).and_then(|(mends, candidate)| {
             let trial = trials.of(&candidate.edit)?;
-            let met = FixTotals::of(&trial).collisions?;
-            let hits_less = now.is_some_and(|now| met < now) && verdict::is_no_worse(&base, &trial, true);
+            let hits_less = met(&trial)? < met(&base)? && verdict::is_no_worse(&base, &trial, true);
             hits_less.then(|| Fix::new(mends, candidate, &base, &trials, &trial))
         });
         let parts = searched.parts();

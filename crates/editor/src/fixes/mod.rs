@@ -16,6 +16,7 @@ mod scale;
 mod search;
 mod shares;
 mod starts;
+mod sums;
 mod trials;
 mod verdict;
 mod wires;
@@ -31,12 +32,13 @@ use wirebend_core::units::Mm;
 use wirebend_files::document::Document;
 use wirebend_planning::text::shown;
 
-use super::check::{LiveCheck, WireFigures};
 use super::{EditRequest, Editor};
 use crate::EditorError;
 pub use all::FixAll;
 pub use avoid::{AvoidedCollisions, HelpFix, SearchSettings};
 pub use preview::FixPreview;
+use sums::sum;
+pub use sums::{FixChange, FixTotals};
 use trials::{Trial, Trials};
 use wirebend_planning::Installation;
 use wirebend_planning::machine::Setup;
@@ -65,42 +67,6 @@ pub struct Fix {
     pub feasible_after: bool,
     /// What to draw before it is done.
     pub preview: FixPreview,
-}
-
-/// Sums over all wires of the design afterwards, less those of before. Null where one of them is not known, as
-/// without a route.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct FixChange {
-    /// Designed length, mm.
-    pub length_mm: Option<f64>,
-    /// Stock to load, mm.
-    pub stock_mm: Option<f64>,
-    /// Time on the machine, s.
-    pub time_s: Option<f64>,
-    /// Price of the designed length.
-    pub cost: Option<f64>,
-    /// Of the cost.
-    pub currency: Option<String>,
-    /// Errors. A wire that had no route was not checked for bends: its errors show once it has one.
-    pub errors: i64,
-    pub warnings: i64,
-}
-
-/// Sums over all wires of the design afterwards. Null where one of them is not known.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct FixTotals {
-    /// How many wires there are.
-    pub wires: usize,
-    /// How many things they meet while they are bent; null where that was not looked for.
-    pub collisions: Option<usize>,
-    /// Designed length, mm.
-    pub length_mm: Option<f64>,
-    /// Stock to load, mm.
-    pub stock_mm: Option<f64>,
-    /// Time on the machine, s.
-    pub time_s: Option<f64>,
-    /// Price of the designed length.
-    pub cost: Option<f64>,
 }
 
 /// An edit that may fix something.
@@ -346,46 +312,6 @@ impl Fix {
             feasible_after: after.check.feasible,
         }
     }
-}
-
-impl FixTotals {
-    fn of(Trial { check, wires, .. }: &Trial) -> Self {
-        let met = wires.iter().map(|wire| wire.contacts.as_ref().map(Vec::len));
-        Self {
-            wires: check.wires.len(),
-            collisions: met.sum(),
-            length_mm: sum(check, |wire| wire.length_mm),
-            stock_mm: sum(check, |wire| wire.stock_mm),
-            time_s: sum(check, |wire| wire.time_s),
-            cost: sum(check, |wire| wire.cost),
-        }
-    }
-}
-
-impl FixChange {
-    fn between(before: &Trial, after: &Trial) -> Self {
-        let change = |figure: fn(&WireFigures) -> Option<f64>| {
-            Some(sum(&after.check, figure)? - sum(&before.check, figure)?)
-        };
-        let count = |trial: &Trial| {
-            let (errors, warnings) = (trial.errors(), trial.warnings());
-            (i64::try_from(errors).unwrap_or(i64::MAX), i64::try_from(warnings).unwrap_or(i64::MAX))
-        };
-        let (then, now) = (count(before), count(after));
-        Self {
-            length_mm: change(|wire| wire.length_mm),
-            stock_mm: change(|wire| wire.stock_mm),
-            time_s: change(|wire| wire.time_s),
-            cost: change(|wire| wire.cost),
-            currency: after.check.wires.iter().find_map(|wire| wire.currency.clone()),
-            errors: now.0 - then.0,
-            warnings: now.1 - then.1,
-        }
-    }
-}
-
-fn sum(check: &LiveCheck, figure: fn(&WireFigures) -> Option<f64>) -> Option<f64> {
-    check.wires.iter().map(figure).sum()
 }
 
 /// A length for a button.

@@ -68,6 +68,8 @@ pub struct UnfoundReport {
     pub of: Option<usize>,
     /// What was in the way there; null where it did not begin.
     pub obstacle: Option<ObstacleName>,
+    /// How far the wire had to stay from it, mm.
+    pub clearance_mm: f64,
     /// The changes that were tried and help, one of a kind at most.
     pub helps: Vec<HelpReport>,
     /// The kinds of changes that were tried until one helped, or to the end.
@@ -145,7 +147,7 @@ pub struct WalkReport {
 impl UnfoundReport {
     /// What a finding says of a search; none where it is of something else.
     pub(super) fn of(fact: &Fact) -> Option<Self> {
-        let Fact::NoClearProgram { checks, exhausted, obstacle, passed, helps, .. } = fact else {
+        let Fact::NoClearProgram { checks, exhausted, obstacle, passed, clearance, helps, .. } = fact else {
             return None;
         };
         let Helps { found, tried, ended } = helps;
@@ -160,6 +162,7 @@ impl UnfoundReport {
             passed: passed.map(|(passed, _)| passed),
             of: passed.map(|(_, of)| of),
             obstacle: passed.map(|_| obstacle()),
+            clearance_mm: clearance.mm(),
             helps: found.iter().map(HelpReport::from).collect(),
             tried: tried.iter().map(|kind| ChangeName::from(*kind)).collect(),
             ended: *ended,

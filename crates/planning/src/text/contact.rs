@@ -1,10 +1,10 @@
 //! Where the wire meets the machine or itself.
 
-use wirebend_core::checks::Location;
+use wirebend_core::checks::{Location, Meeting};
 use wirebend_core::clearance::{Obstacle, Phase};
 use wirebend_core::route::Route;
 use wirebend_core::search::{Change, ChangeKind, Help, Helps, MovedVertex};
-use wirebend_core::units::{Angle, Length};
+use wirebend_core::units::Length;
 use wirebend_core::wireframe::EdgeId;
 
 use super::number::count;
@@ -12,8 +12,10 @@ use super::number::count;
 /// The ends of so many wires are named in a sentence.
 const WIRES_NAMED: usize = 6;
 
+const STOCK: &str = "wire that is still to be bent";
+
 /// "when step 12 is bent to 63.4°".
-pub(super) fn moment(at: &Location, phase: Phase, fed: Length, bent: Angle, head: Angle) -> String {
+fn moment(at: &Location, Meeting { phase, fed, bent, head, .. }: &Meeting) -> String {
     let what = match phase {
         Phase::Feed => format!("has fed {fed:.1}"),
         Phase::Rotate => format!("has the head at {head:.1}"),
@@ -27,20 +29,17 @@ pub(super) fn moment(at: &Location, phase: Phase, fed: Length, bent: Angle, head
     at.step.map(|step| format!(" when step {} {what}", step + 1)).unwrap_or_default()
 }
 
-/// `deep`: how deep, less than zero where it only comes near, and in how many later steps again.
-pub(super) fn meets_machine(
-    moment: &str,
-    struck: &[EdgeId],
-    body: &str,
-    deep: (Length, usize),
-    measured: bool,
-) -> String {
+pub(super) fn meets_machine(at: &Location, meeting: &Meeting, body: &str, measured: bool) -> String {
     let estimated = if measured { "" } else { "; its dimensions are estimates" };
-    format!("{} the {body}{moment}{}{estimated}", goes_into(struck, deep.0), again(deep.1))
+    meets(at, meeting, body) + estimated
 }
 
-pub(super) fn meets_stock(moment: &str, struck: &[EdgeId], deep: (Length, usize)) -> String {
-    format!("{} the wire that is still to be bent{moment}{}", goes_into(struck, deep.0), again(deep.1))
+pub(super) fn meets_stock(at: &Location, meeting: &Meeting) -> String {
+    meets(at, meeting, STOCK)
+}
+
+fn meets(at: &Location, meeting: &Meeting, what: &str) -> String {
+    format!("{} the {what}{}{}", goes_into(meeting), moment(at, meeting), again(meeting.later))
 }
 
 /// How much was searched.
@@ -54,23 +53,30 @@ pub(super) fn searched(checks: u64, exhausted: bool) -> String {
     }
 }
 
+/// What is in the way of a search.
+pub(super) fn obstacle(obstacle: Option<Obstacle>, body: Option<&str>, clearance: Length) -> String {
+    let what = match (obstacle, body) {
+        (None, _) => return "the head cannot turn far enough".to_owned(),
+        (Some(Obstacle::Body(_)), Some(body)) => body,
+        (Some(_), _) => STOCK,
+    };
+    // Whether it would be hit, too, the search does not tell apart.
+    let would =
+        if clearance > Length::ZERO { format!("come within {clearance:.1} of") } else { "hit".to_owned() };
+    format!("the wire would {would} the {what}")
+}
+
 /// `passed`: how many edges of how many.
 pub(super) fn no_clear_program(
     at: &Location,
     searched: &str,
-    obstacle: Option<Obstacle>,
-    body: Option<&str>,
+    obstacle: &str,
     passed: Option<(usize, usize)>,
 ) -> String {
     let found = format!("no program without a collision was found: {searched}");
     let Some((passed, of)) = passed else { return found + &before_the_search(at) };
-    let what = match (obstacle, body) {
-        (Some(Obstacle::Body(_)), Some(body)) => format!("the wire would hit the {body}"),
-        (Some(_), _) => "the wire would hit the wire that is still to be bent".to_owned(),
-        (None, _) => "the head cannot turn far enough".to_owned(),
-    };
     let place = at.vertices.first().map(|vertex| format!(" at vertex {vertex}")).unwrap_or_default();
-    format!("{found}; the search got as far as edge {passed} of {of}:{place} {what}")
+    format!("{found}; the search got as far as edge {passed} of {of}:{place} {obstacle}")
 }
 
 /// Bends that no route avoids, which come before a search.
@@ -131,9 +137,10 @@ fn ends(routes: &[Route]) -> String {
     format!(", {}{rest}", all[..all.len() - more].join(", "))
 }
 
-fn goes_into(struck: &[EdgeId], depth: Length) -> String {
-    if depth < Length::ZERO {
-        return format!("the wire{} comes within {:.1} of", along(struck), -depth);
+fn goes_into(meeting: &Meeting) -> String {
+    let Meeting { struck, depth, .. } = meeting;
+    if !meeting.hits() {
+        return format!("the wire{} comes within {:.1} of", along(struck), -*depth);
     }
     format!("the wire{} goes {depth:.1} into", along(struck))
 }

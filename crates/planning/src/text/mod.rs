@@ -83,20 +83,14 @@ pub fn message(diagnostic: &Diagnostic) -> String {
         Fact::PartSags(sag) => machine::part_sags(sag),
         Fact::BendRadiusSmall(bend) => machine::bend_radius_small(bend),
         Fact::WireDoesNotFit { diameter, range, .. } => machine::wire_does_not_fit(*diameter, *range),
-        Fact::MeetsMachine {
-            struck, phase, fed, bent, head, depth, margin, later, body, measured, ..
-        } => {
-            let moment = contact::moment(at, *phase, *fed, *bent, *head);
-            contact::meets_machine(&moment, struck, body, (*depth - *margin, *later), *measured)
+        Fact::MeetsMachine { meeting, body, measured, .. } => {
+            contact::meets_machine(at, meeting, body, *measured)
         }
-        Fact::MeetsStock { struck, phase, fed, bent, head, depth, margin, later, .. } => {
-            let moment = contact::moment(at, *phase, *fed, *bent, *head);
-            contact::meets_stock(&moment, struck, (*depth - *margin, *later))
-        }
-        Fact::NoClearProgram { checks, exhausted, obstacle, body, passed, helps } => {
+        Fact::MeetsStock(meeting) => contact::meets_stock(at, meeting),
+        Fact::NoClearProgram { checks, exhausted, obstacle, body, passed, clearance, helps } => {
             let searched = contact::searched(*checks, *exhausted);
-            let found = contact::no_clear_program(at, &searched, *obstacle, body.as_deref(), *passed);
-            found + &contact::helps(helps)
+            let obstacle = contact::obstacle(*obstacle, body.as_deref(), *clearance);
+            contact::no_clear_program(at, &searched, &obstacle, *passed) + &contact::helps(helps)
         }
         Fact::FrameUnsupported { edges, whole } => frame::unsupported(at, *edges, *whole),
         Fact::FrameMechanism => frame::mechanism(at),

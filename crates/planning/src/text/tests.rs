@@ -3,8 +3,10 @@ use wirebend_core::checks::{
     BendOf, BendRadius, ClosingBend, Diagnostic, Fact, LimitSource, Location, ReachLimit, Remedy, Severity,
     Source, Sourced,
 };
+use wirebend_core::clearance::Obstacle;
 use wirebend_core::compensate::NearCorner;
 use wirebend_core::route::RouteError;
+use wirebend_core::search::Helps;
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{EdgeId, VertexId};
 
@@ -310,6 +312,33 @@ fn an_axis_that_is_hardly_strong_enough_is_told_with_both_torques() {
         Fact::BendTorqueLow { needed_n_m: 1.63, available_n_m, margin: 1.5 },
         "the bend axis has 2.00 N·m, 1.23 times the 1.63 N·m that bend this wire: it may stall",
     );
+}
+
+/// What is in the way of a search is hit, or where the wire has to stay away, may only be near: which of them is not known.
+#[test]
+fn what_is_in_the_way_of_a_search_is_said_to_be_hit_only_where_it_is() {
+    let unfound = |obstacle, clearance| Fact::NoClearProgram {
+        checks: 90,
+        exhausted: false,
+        obstacle,
+        body: matches!(obstacle, Some(Obstacle::Body(_))).then(|| "nozzle".to_owned()),
+        passed: Some((3, 12)),
+        clearance,
+        helps: Helps::default(),
+    };
+    let nozzle = Some(Obstacle::Body(1));
+    let tried = "no program without a collision was found: 90 steps were checked; the search got as far as edge 3 of 12: at vertex 4";
+    for (fact, what) in [
+        (unfound(nozzle, Length::ZERO), "the wire would hit the nozzle"),
+        (unfound(nozzle, mm(12.0)), "the wire would come within 12.0 mm of the nozzle"),
+        (
+            unfound(Some(Obstacle::Stock), Length::ZERO),
+            "the wire would hit the wire that is still to be bent",
+        ),
+        (unfound(None, mm(12.0)), "the head cannot turn far enough"),
+    ] {
+        says(at(&[]), fact, &format!("{tried} {what}"));
+    }
 }
 
 /// Read with too few digits, a value beyond a limit is the limit, and the person looks for the fault elsewhere.

@@ -17,7 +17,7 @@ afterAll(() => editor?.end());
 const check = () => editor.section("check");
 const animate = () => editor.section("animate");
 const slider = () => animate().getByLabel("Position in the program");
-const hit = () => editor.page.getByRole("status", { name: "Collision" });
+const hit = () => editor.page.getByRole("status", { name: "What the wire meets" });
 const position = () => contact.step + contact.at;
 
 it("finds in Check what the wire hits on its way, frames it, and takes it back when the design no longer hits it", async () => {
@@ -122,7 +122,7 @@ it("names what comes nearer than the clearance of the design, and says how far t
   await clearance.fill("12");
   await clearance.press("Enter");
   await until(found).toBeGreaterThan(1);
-  await animate().getByLabel("Look as the part hangs").click();
+  await animate().getByLabel("Let the part sag").click();
   await animate()
     .getByText(/^Its free end sags by up to \d+\.\d mm, in step \d/)
     .waitFor();

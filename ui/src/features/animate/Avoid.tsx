@@ -1,7 +1,8 @@
 import type { AvoidedCollisions, DiagnosticReport, Fix } from "../../generated/responses";
 import { Button } from "../../shared/controls/Button";
 import { Bar } from "../../shared/controls/inputs";
-import { count, number, sentence } from "../../shared/figures/format";
+import { number, sentence } from "../../shared/figures/format";
+import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { useWork } from "../../state/asking/work";
 import { useDesign } from "../../state/design/design";
@@ -15,6 +16,7 @@ import {
 import { FixList } from "../check/FixList";
 import { showPlaces } from "../check/places";
 import { cutsOf, inVainOf, obstacleOf, reachOf } from "../check/search_texts";
+import { metOf } from "../check/totals";
 import { SearchSettings } from "./SearchSettings";
 
 /** Another order of the bends, so that nothing is hit. */
@@ -72,7 +74,6 @@ function Outcome({ outcome }: { readonly outcome: AvoidedCollisions }) {
     if (best) return list([best]);
     return <p className="muted small">With the order that was found the checks find more errors. It is not taken.</p>;
   }
-  const less = best ? [best] : [];
   return (
     <>
       <ul aria-label="What was in the way">
@@ -89,10 +90,10 @@ function Outcome({ outcome }: { readonly outcome: AvoidedCollisions }) {
           {list(helps.map(({ fix }) => fix))}
         </>
       )}
-      {less.length > 0 && (
+      {best && (
         <>
-          <p className="small">{hitsLess(less[0])}</p>
-          {list(less)}
+          <p className="small">This was found: {metOf(best.after)}.</p>
+          {list([best])}
         </>
       )}
       <p className="muted small">Check may have other fixes.</p>
@@ -100,13 +101,11 @@ function Outcome({ outcome }: { readonly outcome: AvoidedCollisions }) {
   );
 }
 
-const hitsLess = (best: Fix | undefined): string =>
-  `This was found, and has ${count(best?.after.collisions ?? 0, "collision")}:`;
-
 /** A part of the design for which nothing was found. */
 function Unfound({ report }: { readonly report: DiagnosticReport }) {
   const { search } = report;
-  const title = obstacleOf(report);
+  const unit = useUnit();
+  const title = obstacleOf(report, unit);
   const vain = search ? [reachOf(search), ...inVainOf(search)] : [];
   return (
     <Line

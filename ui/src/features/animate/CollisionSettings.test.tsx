@@ -42,7 +42,7 @@ const open = () => act(() => at.host.querySelector<HTMLButtonElement>(".fold-hea
 
 it("sets the clearance, and whether the part hangs, and neither takes the other back", async () => {
   at.show(<CollisionSettings />);
-  expect(at.host.textContent).toBe("Collision settingsclearance 0.5 mm");
+  expect(at.host.textContent).toBe("Collision settings0.5 mm clearance");
   open();
   const [clearance, hangs] = at.host.querySelectorAll("input");
   expect([clearance?.value, hangs?.checked]).toEqual(["0.5", false]);

@@ -19,12 +19,13 @@ export function CollisionSettings() {
   const { clearance_mm, sag } = state.collisions;
   // Those with a program, as the player counts them.
   const wires = check?.wires.filter(({ bends }) => bends !== null) ?? [];
-  const phrase = [clearance_mm > 0 ? `clearance ${length(clearance_mm, unit)}` : null, sag ? "as it hangs" : null];
+  const clear = clearance_mm > 0 ? length(clearance_mm, unit) : null;
+  const phrase = sag ? [clear, "with sag"].filter(Boolean).join(", ") : `${clear ?? "no"} clearance`;
   // A clearance that was typed just before the other is chosen is not there yet.
   const set = (change: { readonly clearance_mm?: number; readonly sag?: boolean }) =>
     void editAsItIs((design) => design.state && { edit: "collisions", ...design.state.collisions, ...change });
   return (
-    <Fold title="Collision settings" phrase={phrase.filter(Boolean).join(", ") || "no clearance, as bent"}>
+    <Fold title="Collision settings" phrase={phrase}>
       <Field label="Clearance" hint="What comes nearer than this without hitting is named too">
         {(ids) => (
           <NumberField
@@ -37,7 +38,7 @@ export function CollisionSettings() {
         )}
       </Field>
       <Checkbox checked={sag} onChange={(on) => set({ sag: on })}>
-        Look as the part hangs under its own weight
+        Let the part sag under its own weight
       </Checkbox>
       {wires.map(({ sag: found }, index) => {
         const name = wires.length > 1 ? `Wire ${index + 1}: its` : "Its";

@@ -16,7 +16,7 @@ export function Collisions() {
       return (
         <Line tone="info" what="Wires without a program are not checked for collisions" sub={estimatesOf(found)} />
       );
-    if (found.contacts.length > 0) return null;
+    if (found.contacts.some(({ depth_mm }) => depth_mm >= 0)) return null;
     return (
       <Line tone="fine" what="No collision found with the machine or with the wire itself" sub={estimatesOf(found)} />
     );

@@ -1,16 +1,19 @@
 /** The words for what came of a search for an order of the bends that hits nothing. */
 
 import type { DiagnosticReport, HelpReport, UnfoundReport } from "../../generated/responses";
-import { number } from "../../shared/figures/format";
+import { type DisplayUnit, length, number } from "../../shared/figures/format";
 
 /** What was in the way where the search came farthest: "At vertex 1 the wire would hit the nozzle". */
-export function obstacleOf({ vertex, body, search }: DiagnosticReport): string | null {
+export function obstacleOf({ vertex, body, search }: DiagnosticReport, unit: DisplayUnit): string | null {
+  if (!search?.obstacle) return null;
+  // Whether it would be hit, too, the search does not tell apart.
+  const { clearance_mm } = search;
+  const would = clearance_mm > 0 ? `come within ${length(clearance_mm, unit)} of` : "hit";
   const what = {
-    body: `the wire would hit the ${body ?? "machine"}`,
-    stock: "the wire would hit the wire that is still to be bent",
+    body: `the wire would ${would} the ${body ?? "machine"}`,
+    stock: `the wire would ${would} the wire that is still to be bent`,
     "head-limit": "the head cannot turn far enough",
   };
-  if (!search?.obstacle) return null;
   const place = vertex === undefined || vertex === null ? "There" : `At vertex ${vertex}`;
   return `${place} ${what[search.obstacle]}`;
 }

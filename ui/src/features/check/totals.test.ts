@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { Fix } from "../../generated/responses";
-import { afterwards } from "./totals";
+import { afterwards, metOf } from "./totals";
 
 const fix = (errors_after: number, length_mm: number | null): Fix =>
   ({
@@ -15,4 +15,11 @@ it("says of errors that a fix brings to light that they could not be checked bef
     "gives a wire with 53 errors, of which at least 38 could not be checked before",
   );
   expect(afterwards(fix(4, 2), 4)).toBe("then 4 errors");
+});
+
+it("tells what a fix leaves that is hit from what only comes near", () => {
+  expect(metOf({ collisions: null, near: null })).toBeNull();
+  expect(metOf({ collisions: 0, near: 0 })).toBe("no collision found");
+  expect(metOf({ collisions: 2, near: 0 })).toBe("2 collisions");
+  expect(metOf({ collisions: 0, near: 1 })).toBe("no collision found, and 1 place nearer than the clearance");
 });

@@ -29,13 +29,17 @@ export function totals(check: LiveCheck | null): Sums {
 export const isFirst = ({ length_mm, stock_mm, time_s, cost }: Fix["change"]): boolean =>
   length_mm === null && stock_mm === null && time_s === null && cost === null;
 
+/** What is hit after a fix, or comes near; null where it was not tried with a check for collisions. */
+export function metOf({ collisions, near }: Pick<Fix["after"], "collisions" | "near">): string | null {
+  if (collisions === null) return null;
+  const hits = collisions === 0 ? "no collision found" : count(collisions, "collision");
+  return near === null || near === 0 ? hits : `${hits}, and ${count(near, "place")} nearer than the clearance`;
+}
+
 /** `before`: how many errors there are. */
-export function afterwards(
-  { change, after: { wires, collisions }, errors_after: errors }: Fix,
-  before: number,
-): string {
-  // Only a fix of a collision was tried with a check for them.
-  const left = collisions === 0 ? "no collision found" : collisions === null ? null : count(collisions, "collision");
+export function afterwards({ change, after, errors_after: errors }: Fix, before: number): string {
+  const { wires } = after;
+  const left = metOf(after);
   if (errors === 0) return `then ${left ?? LIMITS_ONLY}`;
   const made = wires > 1 ? `${wires} wires` : "a wire";
   const found = isFirst(change) ? `gives ${made} with ${count(errors, "error")}` : `then ${count(errors, "error")}`;

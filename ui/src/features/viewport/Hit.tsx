@@ -3,14 +3,14 @@ import { Mark } from "../../shared/lists/Mark";
 import { metAt, useContacts } from "../../state/program/contacts";
 import { usePlayback } from "../../state/program/program";
 
-/** What the wire hits where the program stands, in a line at the foot of the view. */
+/** What the wire hits or comes near where the program stands, in a line at the foot of the view. */
 export function Hit() {
   const { contacts } = useContacts();
   const { played, step } = usePlayback();
   const [last, ...others] = played ? metAt(contacts, step) : [];
   const more = others.length > 0 ? ` (and ${others.length} more in this step)` : "";
   return (
-    <div role="status" aria-label="Collision">
+    <div role="status" aria-label="What the wire meets">
       {last && (
         <p className={`hit ${last.finding.severity}`}>
           <Mark tone={last.finding.severity} />

@@ -24,9 +24,7 @@ impl Fact {
             | Self::StockTooLong { needed: length, .. }
             | Self::WireDoesNotFit { diameter: length, .. } => Quantity::Length(*length),
             // Less than zero where they only come near each other.
-            Self::MeetsMachine { depth, margin, .. } | Self::MeetsStock { depth, margin, .. } => {
-                Quantity::Length(*depth - *margin)
-            }
+            Self::MeetsMachine { meeting, .. } | Self::MeetsStock(meeting) => Quantity::Length(meeting.depth),
             Self::BendTooSharp { bend, .. }
             | Self::BendNearLimit { bend, .. }
             | Self::BendOutOfReach { bend, .. }
@@ -162,7 +160,7 @@ impl Fact {
             | Self::NoEdges
             | Self::RouteRefused(_)
             | Self::NoClearProgram { .. }
-            | Self::MeetsStock { .. }
+            | Self::MeetsStock(_)
             | Self::DoubledEdge { .. }
             | Self::BendTooSmall { .. }
             | Self::CornerTooNear { .. }
