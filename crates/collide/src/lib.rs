@@ -18,6 +18,7 @@ mod motion;
 mod pairs;
 mod piece;
 mod ring;
+mod sector;
 mod solid;
 mod sweep;
 
@@ -28,5 +29,6 @@ pub use motion::Motion;
 pub use pairs::{ClosePair, close_pairs};
 pub use piece::{Near, between_pieces, to_solid};
 pub use ring::Ring;
+pub use sector::{Sector, Walls};
 pub use solid::Solid;
 pub use sweep::{Meeting, Task, closest, first_contact};

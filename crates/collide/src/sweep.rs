@@ -27,13 +27,20 @@ pub struct Task<'a> {
 }
 
 impl Task<'_> {
+    /// Whether what counts of a piece may.
+    fn piece_may_meet(&self, piece: usize, reach: f64) -> bool {
+        clipped(self.parts, self.chain.interval(piece)).any(|part| {
+            let [from, to] = [part.from, part.to].map(|along| self.chain.point(piece, along));
+            self.motion.min_distance_of_piece([&from, &to]) <= reach
+        })
+    }
+
     /// Whether a run of pieces counts, and may come as near as `reach` for all that is known without moving it.
     fn may_meet(&self, run: Run, reach: f64) -> bool {
         let ball = self.chain.ball(run);
         self.motion.min_distance(&ball.centre) - ball.radius <= reach
             && counts(self.parts, self.chain.extent(run))
-            && (self.chain.halves(run).is_some()
-                || self.motion.min_distance_of_piece(self.chain.piece(run.first)) <= reach)
+            && (self.chain.halves(run).is_some() || self.piece_may_meet(run.first, reach))
     }
 }
 

@@ -1,8 +1,8 @@
 //! Distances of pieces that stand still.
 
-use nalgebra::{Isometry3, Point3, Vector3};
+use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
-use wirebend_collide::{Ring, Solid, between_pieces, close_pairs, to_solid};
+use wirebend_collide::{Ring, Sector, Solid, between_pieces, close_pairs, to_solid};
 
 use crate::sampled;
 
@@ -121,6 +121,33 @@ proptest! {
             let ends = [Point3::from(ends[1].coords * 0.5), ends[1]];
             let nearest = sampled::piece(&solid, ends.map(|end| at.inverse() * end), 200).least;
             prop_assert!(ring.distance_of_piece([flat(&ends[0]), flat(&ends[1])]) <= nearest + 1e-9);
+        }
+    }
+
+    /// Likewise of a solid that turns out of the room that its walls leave it.
+    #[test]
+    fn walls_have_between_them_all_that_a_solid_sweeps(
+        solid in sampled::solid(), ends in sampled::points(3), lie in prop::array::uniform3(-3.0..3.0_f64),
+        from in -3.0..3.0_f64, turns in -4.0..4.0_f64, goes_through in any::<bool>(),
+    ) {
+        // A solid about the axis has no walls, and one whose end is on it has thick ones.
+        let half_length = match solid {
+            Solid::Box { .. } => 0.0,
+            Solid::Cylinder { half_length, .. } | Solid::Capsule { half_length, .. } => half_length,
+        };
+        let mut at = Isometry3::new(ends[0].coords, Vector3::from(lie));
+        if goes_through {
+            at.translation = (at.rotation * Vector3::z() * half_length).into();
+        }
+        let sector = Sector::around(&solid, &at, [Vector3::x_axis(), Vector3::y_axis()]);
+        let Some(walls) = sector.and_then(|sector| sector.swept([from, from + turns])) else { return Ok(()) };
+        let [a, b] = [ends[1], ends[2]];
+        for step in 0..=20 {
+            let turned = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), from + turns * f64::from(step) / 20.0);
+            let into_solid = (turned * at).inverse();
+            prop_assert!(walls.distance(a.xy().coords) <= sampled::distance(&solid, &(into_solid * a)) + 1e-9);
+            let nearest = sampled::piece(&solid, [into_solid * a, into_solid * b], 50).least;
+            prop_assert!(walls.distance_of_piece([a.xy().coords, b.xy().coords]) <= nearest + 1e-9);
         }
     }
 }

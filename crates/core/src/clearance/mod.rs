@@ -20,6 +20,7 @@ mod contacts;
 mod hang;
 mod joint;
 mod moment;
+mod rooms;
 mod run;
 mod seen;
 mod stroke;

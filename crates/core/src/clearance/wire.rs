@@ -7,7 +7,7 @@ use super::body::{Bodies, Body, MovesWith};
 use super::centreline::{Centreline, Lie};
 use super::contact::Obstacle;
 use super::hang::Hanging;
-use super::seen::Rooms;
+use super::rooms::Rooms;
 use super::stroke::{Moves, StepRun};
 use super::zone::{Passage, Passed};
 use crate::bend::{Frame, Step};
