@@ -151,3 +151,27 @@ proptest! {
         }
     }
 }
+
+/// In a room of more than half a turn a point is nearer to the walls than it is deep in the solid.
+#[test]
+fn walls_that_leave_out_little_say_nothing_of_what_is_between_them() {
+    let arm = Solid::Box { half: Vector3::new(35.0, 15.0, 9.0) };
+    let at = Isometry3::translation(-62.0, 0.0, -30.0);
+    let sector = Sector::around(&arm, &at, [Vector3::y_axis(), Vector3::z_axis()]).unwrap();
+    for degrees in [150_u32, 200, 250, 260, 270, 280] {
+        let turns = f64::from(degrees).to_radians();
+        let walls = sector.swept([0.0, turns]).unwrap();
+        for step in 0..=20 {
+            let turned = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), turns * f64::from(step) / 20.0);
+            for deep in [0.0, 2.0, 5.0, 8.5] {
+                let point = turned * at * Point3::new(0.0, 0.0, deep);
+                let apart = sampled::distance(&arm, &((turned * at).inverse() * point));
+                assert!(walls.distance(point.yz().coords) <= apart + 1e-9, "{degrees} degrees, {deep} mm");
+            }
+        }
+        // On the other side there is no room.
+        let beside =
+            UnitQuaternion::from_axis_angle(&Vector3::x_axis(), turns / 2.0) * Point3::new(0.0, 0.0, 30.0);
+        assert!(walls.distance(beside.yz().coords) > 2.0, "{degrees} degrees");
+    }
+}

@@ -99,7 +99,7 @@ impl Turned {
     }
 }
 
-/// The room of a body that turns about an axis by less than a turn.
+/// The room of a body that turns about an axis.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Swing {
     ring: Ring,
@@ -125,8 +125,8 @@ impl Swing {
 
 /// How exact the distance of a piece from a lane is, mm.
 const LANE_EXACT: f64 = 1e-3;
-/// What is along x but for so much is along x.
-const ALONG: f64 = 1e-9;
+/// What is along x but for so much of the cosine is along x.
+const ALONG: f64 = 1e-14;
 
 /// The room of a body along x: the body itself where it lies along x, otherwise a box around it.
 #[derive(Debug, Clone, Copy)]
