@@ -189,7 +189,7 @@ impl<'a> Asked<'a> {
             let bending = part.to.bent > part.from.bent;
             let time =
                 if bending { (state.bent - part.from.bent) / (part.to.bent - part.from.bent) } else { time };
-            let is_it = if bending { time <= 1.0 && state.bent > 0.0 } else { part.from == stroke.from };
+            let is_it = if bending { (0.0..=1.0).contains(&time) } else { part.from == stroke.from };
             if is_it {
                 before += part.size() * time;
                 break;
