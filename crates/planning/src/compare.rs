@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::checks::{Code, Fact};
+use wirebend_core::checks::{Code, Fact, Meeting};
 use wirebend_profile::Kind;
 
 use crate::choices::PlanChoices;
@@ -80,13 +80,10 @@ impl CollisionCount {
         let all = planned.wires.iter().flat_map(|wire| &wire.diagnostics);
         let mut count = Self { hits: 0, estimated: 0 };
         for finding in all {
-            match finding.fact {
-                Fact::MeetsStock(ref meeting) if meeting.hits() => count.hits += 1,
-                Fact::MeetsMachine { ref meeting, measured, .. } if meeting.hits() => {
-                    count.hits += 1;
-                    count.estimated += usize::from(!measured);
-                }
-                _ => {}
+            if finding.fact.meeting().is_some_and(Meeting::hits) {
+                count.hits += 1;
+                count.estimated +=
+                    usize::from(matches!(finding.fact, Fact::MeetsMachine { measured: false, .. }));
             }
         }
         planned.collisions_checked().then_some(count)

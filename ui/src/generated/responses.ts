@@ -2657,7 +2657,7 @@ export interface LeftOutReport {
  */
 export interface AvoidedCollisions {
   /**
-   * The best wires, where they hit less than the design's; tried with a check for collisions.
+   * The best wires, where they hit less than the design's, or as much and come near less often; tried with a check for collisions.
    */
   best: Fix | null;
   /**
@@ -5580,7 +5580,7 @@ export interface SimulatedCollisions {
    */
   colliding: number;
   /**
-   * What the checks say of each thing that is hit, of the wire that goes deepest into it; errors first.
+   * What the checks say of each thing that is hit or nearer than the clearance, of the wire that goes deepest into it; errors first.
    */
   diagnostics: SimulatedContact[];
   /**

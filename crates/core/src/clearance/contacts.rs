@@ -108,8 +108,9 @@ impl Clearance<'_> {
         });
         for first in &mut found {
             let depth = self.depth(&first.contact);
-            // What is known to be hit is measured, too, to within a few hundredths of a millimetre.
-            first.depth = if first.hits { depth.max(Length::ZERO) } else { depth };
+            // What only just is hit may be measured as not hit. What a wire that hangs may hit for all that is known of its shape is not.
+            let just_hit = first.hits && depth.mm() >= -2.0 * DEPTH_EXACT;
+            first.depth = if just_hit { depth.max(Length::ZERO) } else { depth };
             first.hits = first.depth >= Length::ZERO;
         }
         found

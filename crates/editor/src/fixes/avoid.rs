@@ -42,7 +42,7 @@ pub struct AvoidedCollisions {
     pub steps_checked: u64,
     /// Whether a person has ended the search, or the trials after it, before it was done.
     pub ended: bool,
-    /// The best wires, where they hit less than the design's; tried with a check for collisions.
+    /// The best wires, where they hit less than the design's, or as much and come near less often; tried with a check for collisions.
     pub best: Option<Fix>,
     /// For each part of the design without a program what was in the way.
     pub unfound: Vec<DiagnosticReport>,
@@ -107,8 +107,16 @@ impl FixSearch {
         let mends = base.check.diagnostics.iter().find(|said| is_collision(said.code)).cloned();
         let best = mends.zip(searched.best()).and_then(|(mends, candidate)| {
             let trial = trials.of(&candidate.edit)?;
-            let hits_less = met(&trial)? < met(&base)? && verdict::is_no_worse(&base, &trial, true);
-            hits_less.then(|| Fix::new(mends, candidate, &base, &trials, &trial))
+            let (now, then) = (met(&base)?, met(&trial)?);
+            if then >= now || !verdict::is_no_worse(&base, &trial, true) {
+                return None;
+            }
+            let title = if then.0 == now.0 {
+                "Bend in an order that comes near less often".to_owned()
+            } else {
+                candidate.title
+            };
+            Some(Fix::new(mends, Candidate { title, ..candidate }, &base, &trials, &trial))
         });
         let parts = searched.parts();
         let unfound = parts.iter().filter_map(|part| Some((part, part.unfound()?)));

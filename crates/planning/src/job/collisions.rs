@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use nalgebra::Point3;
 use wirebend_core::bend::program_of_path;
-use wirebend_core::checks::Diagnostic;
+use wirebend_core::checks::{Diagnostic, Meeting};
 use wirebend_core::clearance::Passage;
 use wirebend_core::plan::{ContactOptions, ScheduledWire};
 use wirebend_core::simulate::scheduled_start;
@@ -91,31 +91,36 @@ impl JobCollisions {
     pub fn otherwise(&self) -> Vec<String> {
         match self {
             Self::Unfinished { steps: [done, of], .. } => vec![not_searched_text(*done, *of)],
-            Self::Checked { findings, .. } if !findings.is_empty() => Vec::new(),
-            Self::Checked { .. } | Self::Unknown { .. } => self.lines(),
+            Self::Checked { findings, .. } if findings.iter().any(hits) => Vec::new(),
+            Self::Checked { findings, bodies, estimates, options } => {
+                let near = if findings.is_empty() { looked_for(options) } else { String::new() };
+                vec![none_found(*bodies, *estimates) + &near]
+            }
+            Self::Unknown { why } => vec![format!("collisions are not checked: {why}")],
         }
     }
 
-    /// What to say of it: lines that begin in lower case, without a full stop. At most three collisions are named, errors
-    /// first.
+    /// What to say of it: lines that begin in lower case, without a full stop. At most three places are named, errors first, and what is
+    /// hit before what only comes near.
     pub fn lines(&self) -> Vec<String> {
+        let named = named(self.findings());
+        let otherwise = self.otherwise();
         match self {
-            Self::Unfinished { steps: [done, of], findings } => {
-                named(findings).into_iter().chain([not_searched_text(*done, *of)]).collect()
-            }
-            Self::Unknown { why } => vec![format!("collisions are not checked: {why}")],
-            Self::Checked { findings, bodies, estimates, options } if findings.is_empty() => {
-                vec![none_found(*bodies, *estimates) + &looked_for(options)]
-            }
-            Self::Checked { findings, .. } => named(findings),
+            Self::Unfinished { .. } => named.into_iter().chain(otherwise).collect(),
+            Self::Checked { .. } | Self::Unknown { .. } => otherwise.into_iter().chain(named).collect(),
         }
     }
 }
 
-/// At most three, errors first.
+/// Whether something is hit, rather than only near.
+fn hits(finding: &Diagnostic) -> bool {
+    finding.fact.meeting().is_some_and(Meeting::hits)
+}
+
+/// At most three, errors first, then what is hit.
 fn named(findings: &[Diagnostic]) -> Vec<String> {
     let mut worst: Vec<&Diagnostic> = findings.iter().collect();
-    worst.sort_by_key(|finding| finding.severity);
+    worst.sort_by_key(|finding| (finding.severity, !hits(finding)));
     let mut lines: Vec<String> = worst.into_iter().take(MAX_NAMED).map(text::message).collect();
     let more = findings.len().saturating_sub(MAX_NAMED);
     if more > 0 {

@@ -28,7 +28,7 @@ pub struct SimulatedCollisions {
     pub colliding: u32,
     /// `colliding` as a share of `wires`, 0 to 1.
     pub share: f64,
-    /// What the checks say of each thing that is hit, of the wire that goes deepest into it; errors first.
+    /// What the checks say of each thing that is hit or nearer than the clearance, of the wire that goes deepest into it; errors first.
     pub diagnostics: Vec<SimulatedContact>,
 }
 

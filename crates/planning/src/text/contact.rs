@@ -4,13 +4,16 @@ use wirebend_core::checks::{Location, Meeting};
 use wirebend_core::clearance::{Obstacle, Phase};
 use wirebend_core::route::Route;
 use wirebend_core::search::{Change, ChangeKind, Help, Helps, MovedVertex};
-use wirebend_core::units::Length;
+use wirebend_core::units::{Length, Mm};
 use wirebend_core::wireframe::EdgeId;
 
 use super::number::count;
 
 /// The ends of so many wires are named in a sentence.
 const WIRES_NAMED: usize = 6;
+
+/// Depths are said in so many millimetres.
+const TENTH: f64 = 0.1;
 
 const STOCK: &str = "wire that is still to be bent";
 
@@ -61,8 +64,9 @@ pub(super) fn obstacle(obstacle: Option<Obstacle>, body: Option<&str>, clearance
         (Some(_), _) => STOCK,
     };
     // Whether it would be hit, too, the search does not tell apart.
-    let would =
-        if clearance > Length::ZERO { format!("come within {clearance:.1} of") } else { "hit".to_owned() };
+    let digits = if clearance.mm() < 1.0 { 2 } else { 1 };
+    let near = || format!("come within {clearance:.digits$} of");
+    let would = if clearance > Length::ZERO { near() } else { "hit".to_owned() };
     format!("the wire would {would} the {what}")
 }
 
@@ -140,7 +144,10 @@ fn ends(routes: &[Route]) -> String {
 fn goes_into(meeting: &Meeting) -> String {
     let Meeting { struck, depth, .. } = meeting;
     if !meeting.hits() {
-        return format!("the wire{} comes within {:.1} of", along(struck), -*depth);
+        return format!("the wire{} comes within {:.1} of", along(struck), Mm((-depth.mm()).max(TENTH)));
+    }
+    if depth.mm() < TENTH / 2.0 {
+        return format!("the wire{} goes less than {:.1} into", along(struck), Mm(TENTH));
     }
     format!("the wire{} goes {depth:.1} into", along(struck))
 }

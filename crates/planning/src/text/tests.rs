@@ -1,9 +1,9 @@
 use wirebend_core::bend::PathError;
 use wirebend_core::checks::{
-    BendOf, BendRadius, ClosingBend, Diagnostic, Fact, LimitSource, Location, ReachLimit, Remedy, Severity,
-    Source, Sourced,
+    BendOf, BendRadius, ClosingBend, Diagnostic, Fact, LimitSource, Location, Meeting, ReachLimit, Remedy,
+    Severity, Source, Sourced,
 };
-use wirebend_core::clearance::Obstacle;
+use wirebend_core::clearance::{Obstacle, Phase};
 use wirebend_core::compensate::NearCorner;
 use wirebend_core::route::RouteError;
 use wirebend_core::search::Helps;
@@ -331,6 +331,7 @@ fn what_is_in_the_way_of_a_search_is_said_to_be_hit_only_where_it_is() {
     for (fact, what) in [
         (unfound(nozzle, Length::ZERO), "the wire would hit the nozzle"),
         (unfound(nozzle, mm(12.0)), "the wire would come within 12.0 mm of the nozzle"),
+        (unfound(nozzle, mm(0.04)), "the wire would come within 0.04 mm of the nozzle"),
         (
             unfound(Some(Obstacle::Stock), Length::ZERO),
             "the wire would hit the wire that is still to be bent",
@@ -338,6 +339,29 @@ fn what_is_in_the_way_of_a_search_is_said_to_be_hit_only_where_it_is() {
         (unfound(None, mm(12.0)), "the head cannot turn far enough"),
     ] {
         says(at(&[]), fact, &format!("{tried} {what}"));
+    }
+}
+
+/// What only just touches is not said to go nowhere.
+#[test]
+fn how_deep_or_near_the_wire_is_never_reads_as_nothing() {
+    for (depth, words) in [
+        (2.13, "the wire goes 2.1 mm into the wire that is still to be bent"),
+        (0.07, "the wire goes 0.1 mm into the wire that is still to be bent"),
+        (0.0, "the wire goes less than 0.1 mm into the wire that is still to be bent"),
+        (-0.01, "the wire comes within 0.1 mm of the wire that is still to be bent"),
+        (-0.42, "the wire comes within 0.4 mm of the wire that is still to be bent"),
+    ] {
+        let meeting = Meeting {
+            struck: Vec::new(),
+            phase: Phase::Bend,
+            fed: mm(30.0),
+            bent: deg(20.0),
+            head: Angle::ZERO,
+            depth: mm(depth),
+            later: 0,
+        };
+        says(at(&[]), Fact::MeetsStock(meeting), &format!("{words} when step 3 has bent it to 20.0°"));
     }
 }
 

@@ -42,7 +42,15 @@ const open = () => act(() => at.host.querySelector<HTMLButtonElement>(".fold-hea
 
 it("sets the clearance, and whether the part hangs, and neither takes the other back", async () => {
   at.show(<CollisionSettings />);
-  expect(at.host.textContent).toBe("Collision settings0.5 mm clearance");
+  expect(at.host.textContent).toBe("Collision settings0.5 mm clear");
+  const kept = (collisions: { clearance_mm: number; sag: boolean }) => {
+    act(() => useDesign.setState({ state: designState({ collisions }) }));
+    return at.host.querySelector(".fold-phrase")?.textContent;
+  };
+  expect(kept({ clearance_mm: 0, sag: false })).toBe("no clearance");
+  expect(kept({ clearance_mm: 12, sag: true })).toBe("12.0 mm clear, with sag");
+  expect(kept({ clearance_mm: 0, sag: true })).toBe("with sag");
+  kept({ clearance_mm: 0.5, sag: false });
   open();
   const [clearance, hangs] = at.host.querySelectorAll("input");
   expect([clearance?.value, hangs?.checked]).toEqual(["0.5", false]);

@@ -20,7 +20,7 @@ export function CollisionSettings() {
   // Those with a program, as the player counts them.
   const wires = check?.wires.filter(({ bends }) => bends !== null) ?? [];
   const clear = clearance_mm > 0 ? length(clearance_mm, unit) : null;
-  const phrase = sag ? [clear, "with sag"].filter(Boolean).join(", ") : `${clear ?? "no"} clearance`;
+  const phrase = [clear && `${clear} clear`, sag && "with sag"].filter(Boolean).join(", ") || "no clearance";
   // A clearance that was typed just before the other is chosen is not there yet.
   const set = (change: { readonly clearance_mm?: number; readonly sag?: boolean }) =>
     void editAsItIs((design) => design.state && { edit: "collisions", ...design.state.collisions, ...change });

@@ -20,19 +20,20 @@ export function Contacts() {
   const { contacts, elsewhere } = useContacts();
   const stops = useStops(({ on }) => on);
   const shown = usePlayback((playback) => playback.shown);
+  const hit = contacts.some(({ depth_mm }) => depth_mm >= 0);
   return (
     <div className="stack">
       <Checkbox checked={stops} onChange={setStops}>
         Stop at collisions
       </Checkbox>
       {contacts.length > 0 && (
-        <ul className="animate-contacts" aria-label="Collisions">
+        <ul className="animate-contacts" aria-label={hit ? "Collisions" : "Places nearer than the clearance"}>
           {contacts.map((contact) => (
             <Contact key={`${contact.step} ${contact.body}`} contact={contact} />
           ))}
         </ul>
       )}
-      {contacts.length === 0 ? <Nothing /> : <Estimates />}
+      {hit ? <Estimates /> : <Nothing />}
       <CollisionSettings />
       {shown !== "designed" && <p className="muted small">{OF_DESIGNED}</p>}
       {contacts.length + elsewhere > 0 && <Avoid />}

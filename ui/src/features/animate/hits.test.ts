@@ -14,6 +14,8 @@ it("names the step as it is counted and the body as its profile does", () => {
 it("says how deep it is, whether it comes again, and what is only an estimate", () => {
   expect(depthOf(contact, "mm")).toBe("2.1 mm deep");
   expect(depthOf({ ...contact, depth_mm: -0.42 }, "mm")).toBe("within 0.4 mm");
+  expect(depthOf({ ...contact, depth_mm: 0.01 }, "mm")).toBe("less than 0.1 mm deep");
+  expect(depthOf({ ...contact, depth_mm: -0.01 }, "inch")).toBe("within 0.001 in");
   expect(depthOf({ ...contact, later: 1, estimated: true }, "mm")).toBe("2.1 mm deep, in 1 more step; estimate");
   expect(depthOf({ ...contact, later: 12 }, "inch")).toBe("0.084 in deep, in 12 more steps");
 });

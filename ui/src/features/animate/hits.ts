@@ -1,7 +1,7 @@
 /** What is said of a collision while a program is played. */
 
 import type { ContactReport } from "../../generated/responses";
-import { count, type DisplayUnit, length } from "../../shared/figures/format";
+import { count, type DisplayUnit, meetingText } from "../../shared/figures/format";
 
 type Hit = Pick<ContactReport, "step" | "body" | "finding" | "depth_mm">;
 
@@ -18,6 +18,5 @@ export function depthOf(
   unit: DisplayUnit,
 ): string {
   const again = later > 0 ? `, in ${count(later, "more step")}` : "";
-  const far = depth_mm < 0 ? `within ${length(-depth_mm, unit)}` : `${length(depth_mm, unit)} deep`;
-  return `${far}${again}${estimated ? "; estimate" : ""}`;
+  return `${meetingText(depth_mm, unit)}${again}${estimated ? "; estimate" : ""}`;
 }

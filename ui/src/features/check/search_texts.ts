@@ -8,7 +8,7 @@ export function obstacleOf({ vertex, body, search }: DiagnosticReport, unit: Dis
   if (!search?.obstacle) return null;
   // Whether it would be hit, too, the search does not tell apart.
   const { clearance_mm } = search;
-  const would = clearance_mm > 0 ? `come within ${length(clearance_mm, unit)} of` : "hit";
+  const would = clearance_mm > 0 ? `come within ${length(clearance_mm, unit, clearance_mm < 1 ? 1 : 0)} of` : "hit";
   const what = {
     body: `the wire would ${would} the ${body ?? "machine"}`,
     stock: `the wire would ${would} the wire that is still to be bent`,

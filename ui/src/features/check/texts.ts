@@ -1,5 +1,5 @@
 import type { Collisions, DiagnosticCode, DiagnosticReport, LiveCheck } from "../../generated/responses";
-import { angle, count, type DisplayUnit, length, number, sentence } from "../../shared/figures/format";
+import { angle, count, type DisplayUnit, length, meetingText, number, sentence } from "../../shared/figures/format";
 import type { Tone } from "../../shared/lists/Mark";
 import type { Known } from "../../state/design/collisions";
 import { isCollision, isNear } from "../../state/design/findings";
@@ -21,9 +21,8 @@ export function valueText(
 /** The measured value of a finding, for a label; null where it has none. */
 export function measureText(report: DiagnosticReport, shown: DisplayUnit): string | null {
   const { code, value, unit } = report;
-  if (isNear(report)) return `within ${valueText(-(value ?? 0), unit, shown)}`;
-  const text = unit ? valueText(value, unit, shown) : null;
-  return text !== null && isCollision(code) ? `${text} deep` : text;
+  if (isCollision(code)) return meetingText(value ?? 0, shown);
+  return unit ? valueText(value, unit, shown) : null;
 }
 
 type Place = Pick<DiagnosticReport, "vertex" | "vertices" | "edge" | "edges" | "value" | "limit" | "step" | "body">;

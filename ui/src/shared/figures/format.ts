@@ -71,6 +71,14 @@ export function length(mm: number, unit: DisplayUnit, finer = 0): string {
 /** How far something is from where it should be, which is small: "0.08 mm", "0.0031 in". */
 export const deviation = (mm: number, unit: DisplayUnit): string => length(mm, unit, 1);
 
+/** How deep two things are in each other, or below zero how near they come: "2.1 mm deep", "within 0.4 mm". */
+export function meetingText(mm: number, unit: DisplayUnit): string {
+  const least = unitSize(unit) * 10 ** -lengthDigits(unit);
+  // In so many digits it would be nothing.
+  if (mm < 0) return `within ${length(Math.max(-mm, least), unit)}`;
+  return `${mm < least / 2 ? `less than ${length(least, unit)}` : length(mm, unit)} deep`;
+}
+
 /** What is loaded or bought, for which millimetres are too fine: "12.22 m" from 10 m on, feet from 10 ft on. */
 export function longLength(mm: number, unit: DisplayUnit): string {
   if (unit === "inch")

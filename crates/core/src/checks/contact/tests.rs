@@ -44,6 +44,10 @@ fn what_is_too_near_is_said_and_only_what_hits_is_an_error() {
         (1.0, 0.9, None, 0.0),
         (1.0, 1.5, Some(Severity::Warning), -1.0),
         (-0.5, 0.0, Some(Severity::Error), 0.5),
+        // What only just is hit is hit, with a margin too.
+        (-0.006, 0.0, Some(Severity::Error), 0.006),
+        (-0.006, 12.0, Some(Severity::Error), 0.006),
+        (0.02, 12.0, Some(Severity::Warning), -0.02),
         (-0.5, 1.5, Some(Severity::Error), 0.5),
         (5.0, 12.0, Some(Severity::Warning), -5.0),
         (-0.5, 12.0, Some(Severity::Error), 0.5),

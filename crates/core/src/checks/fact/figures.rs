@@ -23,7 +23,6 @@ impl Fact {
             | Self::LeadTooShort { lead: length, .. }
             | Self::StockTooLong { needed: length, .. }
             | Self::WireDoesNotFit { diameter: length, .. } => Quantity::Length(*length),
-            // Less than zero where they only come near each other.
             Self::MeetsMachine { meeting, .. } | Self::MeetsStock(meeting) => Quantity::Length(meeting.depth),
             Self::BendTooSharp { bend, .. }
             | Self::BendNearLimit { bend, .. }

@@ -1,5 +1,6 @@
 //! How the wire already bent meets something.
 
+use super::Fact;
 use crate::clearance::Phase;
 use crate::units::{Angle, Length};
 use crate::wireframe::EdgeId;
@@ -21,6 +22,17 @@ pub struct Meeting {
     pub depth: Length,
     /// In how many later steps they meet again.
     pub later: usize,
+}
+
+impl Fact {
+    /// How the wire meets something, where that is what it says.
+    #[must_use]
+    pub fn meeting(&self) -> Option<&Meeting> {
+        match self {
+            Self::MeetsMachine { meeting, .. } | Self::MeetsStock(meeting) => Some(meeting),
+            _ => None,
+        }
+    }
 }
 
 impl Meeting {
