@@ -143,9 +143,12 @@ impl<'a> Bender<'a> {
         let ahead = Point3::new(radius * size - corner(size), 0.0, 0.0);
         self.corners.push(self.wire.inverse() * ahead);
         let from = self.head;
-        for part in self.parts(step.rotate.abs().rad() / TURN, Phase::Rotate, also) {
-            self.head = from - step.rotate.rad() * part;
-            see((Phase::Rotate, part), self);
+        // Where nothing turns nothing comes nearer.
+        if step.rotate != Angle::ZERO {
+            for part in self.parts(step.rotate.abs().rad() / TURN, Phase::Rotate, also) {
+                self.head = from - step.rotate.rad() * part;
+                see((Phase::Rotate, part), self);
+            }
         }
         if size > 0.0 {
             self.wind(step, size, also, see);

@@ -29,8 +29,8 @@ const WIRES: [usize; 2] = [1, 2];
 
 /// The bender that checks what is found is looked at this many times 0.05 degrees and mm apart.
 const STRIDE: f64 = 10.0;
-/// It may come this much nearer than it should, mm: its peg follows the wire exactly, that of the check in straight parts.
-const EXACT: f64 = 0.05;
+/// It may come this much nearer than it should, mm, as in the comparison of contacts.
+const EXACT: f64 = 0.01;
 
 /// Designs of `examples/`, and whether the edges of their faces are meant.
 const DESIGNS: &[(&str, bool)] = &[
