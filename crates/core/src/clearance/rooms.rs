@@ -50,7 +50,7 @@ impl Rooms {
     }
 }
 
-/// What things turn about; through the bend point.
+/// What things turn about: an axis through the bend point.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Axis {
     /// x.
