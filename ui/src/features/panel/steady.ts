@@ -1,13 +1,18 @@
 import { type RefObject, useEffect } from "react";
 
-/** What is held, of what the pointer is on: the first that is still there. A row stays where one of its buttons becomes another. */
-const HELD = [
-  "button, input, select, textarea, label, summary",
-  ".row",
-  "[role=listbox], [role=list], [role=table], [role=log], ul, table, fieldset",
-  ".fold",
-  ".part",
-  ".section",
+/**
+ * What is held, of what the pointer is on: the first that is still there. A row stays where one of its buttons becomes another. What has a scroll of
+ * its own stands before what the pointer itself is on, which that scroll moves.
+ */
+const HELD: readonly ((on: Element) => Element | null)[] = [
+  (on) => on.closest("button, input, select, textarea, label, summary"),
+  (on) => on.closest(".row"),
+  (on) => on.closest("[role=listbox], [role=list], [role=table], [role=log], ul, table, fieldset"),
+  // A picture is one thing: what it shows may turn.
+  (on) => on.closest("svg") ?? on,
+  (on) => on.closest(".fold"),
+  (on) => on.closest(".part"),
+  (on) => on.closest(".section"),
 ];
 
 interface Held {
@@ -75,7 +80,7 @@ export function useSteady(box: RefObject<HTMLElement | null>, parts: string): vo
       // pointed at it.
       const grown = scrolled.scrollTop === scroll || scrolled.scrollHeight !== height;
       if (grown && hold()) return;
-      const around = target instanceof Element ? HELD.map((kind) => target.closest(kind)) : [];
+      const around = target instanceof Element ? HELD.map((kind) => kind(target)) : [];
       under = around.filter((element) => element !== null).map((element) => ({ element, top: 0 }));
       look();
     };
