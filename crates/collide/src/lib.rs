@@ -31,4 +31,4 @@ pub use piece::{Near, between_pieces, to_solid};
 pub use ring::Ring;
 pub use sector::{Sector, Walls};
 pub use solid::Solid;
-pub use sweep::{Meeting, Task, closest, first_contact};
+pub use sweep::{Proximity, Task, closest, first_contact};

@@ -46,7 +46,7 @@ impl Task<'_> {
 
 /// Where a chain and a solid meet, or come nearest.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Meeting {
+pub struct Proximity {
     /// When, from 0 to 1.
     pub time: f64,
     /// Which piece of the chain.
@@ -62,14 +62,14 @@ pub struct Meeting {
 /// A contact that is deeper than `tolerance` is never missed, and none is reported that is farther than `reach` and `tolerance`.
 /// It is reported no later than it is, and no earlier than at a distance of `tolerance` more than `reach`.
 #[must_use]
-pub fn first_contact(task: &Task) -> Option<Meeting> {
+pub fn first_contact(task: &Task) -> Option<Proximity> {
     let mut search = First { task, now: vec![task.chain.all()?], later: BinaryHeap::new() };
     let mut time = 0.0;
     loop {
         let pose = task.motion.pose(time);
         while let Some(run) = search.now.pop() {
-            if let Some(meeting) = search.advance(run, time, &pose) {
-                return Some(meeting);
+            if let Some(near) = search.advance(run, time, &pose) {
+                return Some(near);
             }
         }
         let next = search.later.pop()?;
@@ -119,7 +119,7 @@ const NEAR: f64 = 0.5;
 
 impl First<'_> {
     /// Moves a run on by what its distance allows, divides it where that is little, or finds that it meets the solid now.
-    fn advance(&mut self, run: Run, time: f64, pose: &IsometryMatrix3<f64>) -> Option<Meeting> {
+    fn advance(&mut self, run: Run, time: f64, pose: &IsometryMatrix3<f64>) -> Option<Proximity> {
         let task = self.task;
         let ball = task.chain.ball(run);
         let mut free = task.solid.distance(&(pose * ball.centre)) - ball.radius - task.reach;
@@ -133,7 +133,7 @@ impl First<'_> {
                 .map(|part| nearest(task, run.first, part, pose, f64::INFINITY))
                 .min_by(|one, other| one.distance.total_cmp(&other.distance))?;
             if near.distance - task.reach <= task.tolerance {
-                return Some(Meeting { time, ..near });
+                return Some(Proximity { time, ..near });
             }
             // What the narrowing of the distance may be off by is taken away.
             free = near.distance - task.reach - task.tolerance / 4.0;
@@ -149,7 +149,7 @@ impl First<'_> {
 /// The least distance between chain and solid over the motion, as far as it is below `reach`; `None` where they do not come
 /// within it. It is above the exact one by twice `tolerance` at most, or by this share of how far it is below `surface`.
 #[must_use]
-pub fn closest(task: &Task, surface: f64, share: f64) -> Option<Meeting> {
+pub fn closest(task: &Task, surface: f64, share: f64) -> Option<Proximity> {
     let mut search = Closest { task, surface, share, best: None };
     search.look(task.chain.all()?, Span::WHOLE, &task.motion.pose(Span::WHOLE.middle()));
     search.best
@@ -183,7 +183,7 @@ struct Closest<'a> {
     task: &'a Task<'a>,
     surface: f64,
     share: f64,
-    best: Option<Meeting>,
+    best: Option<Proximity>,
 }
 
 impl Closest<'_> {
@@ -211,7 +211,7 @@ impl Closest<'_> {
             for part in clipped(task.parts, task.chain.interval(run.first)) {
                 let near = nearest(task, run.first, part, pose, self.wanted() + moves);
                 if near.distance < self.wanted() {
-                    self.best = Some(Meeting { time: span.middle(), ..near });
+                    self.best = Some(Proximity { time: span.middle(), ..near });
                 }
                 let may_be_nearer = near.distance - task.tolerance / 4.0 - moves < self.wanted();
                 in_time |= may_be_nearer && moves > self.tolerance();
@@ -236,11 +236,11 @@ impl Closest<'_> {
 }
 
 /// How near a part of a piece comes; the time is left open.
-fn nearest(task: &Task, piece: usize, part: Interval, pose: &IsometryMatrix3<f64>, enough: f64) -> Meeting {
+fn nearest(task: &Task, piece: usize, part: Interval, pose: &IsometryMatrix3<f64>, enough: f64) -> Proximity {
     let at = |along: f64| pose * task.chain.point(piece, along);
     let near = nearer_than([&at(part.from), &at(part.to)], task.solid, task.tolerance / 4.0, enough);
     let along = part.from + (part.to - part.from) * near.part;
-    Meeting { time: 0.0, piece, along, distance: near.distance }
+    Proximity { time: 0.0, piece, along, distance: near.distance }
 }
 
 /// Whether any of the parts that count is in an interval.

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use wirebend_collide::{Chain, Interval, Meeting, Task, first_contact};
+use wirebend_collide::{Chain, Interval, Proximity, Task, first_contact};
 
 use super::body::{Body, MovesWith};
 use super::centreline::Centreline;
@@ -60,7 +60,7 @@ impl<'a> Asked<'a> {
     }
 
     /// The first contact with a body.
-    pub fn first(&mut self, one: (Obstacle, &Body)) -> Option<(Stroke, Meeting)> {
+    pub fn first(&mut self, one: (Obstacle, &Body)) -> Option<(Stroke, Proximity)> {
         let strokes = self.strokes;
         strokes.past(one.1.moves_with).find_map(|strokes| self.ask(one, strokes, EXACT, first_contact))
     }
@@ -71,8 +71,8 @@ impl<'a> Asked<'a> {
         one: (Obstacle, &Body),
         strokes: &[Stroke],
         tolerance: f64,
-        ask: impl Fn(&Task) -> Option<Meeting>,
-    ) -> Option<(Stroke, Meeting)> {
+        ask: impl Fn(&Task) -> Option<Proximity>,
+    ) -> Option<(Stroke, Proximity)> {
         let mut first = None;
         self.answers(one, strokes, tolerance, ask, &mut |answer| {
             first = Some(answer);
@@ -88,8 +88,8 @@ impl<'a> Asked<'a> {
         (obstacle, body): (Obstacle, &Body),
         strokes: &[Stroke],
         tolerance: f64,
-        ask: impl Fn(&Task) -> Option<Meeting>,
-        take: &mut dyn FnMut((Stroke, Meeting)) -> ControlFlow<()>,
+        ask: impl Fn(&Task) -> Option<Proximity>,
+        take: &mut dyn FnMut((Stroke, Proximity)) -> ControlFlow<()>,
     ) {
         let clearance = self.clearance;
         let Some(phase) = strokes.first().map(|stroke| stroke.phase) else { return };
@@ -100,7 +100,7 @@ impl<'a> Asked<'a> {
         };
         let asks = |this: &Self, strokes: &[Stroke], chain: &Chain, spread: f64| {
             let seen = Seen::new(strokes, body, &rooms, clearance.bodies)?;
-            let meeting = ask(&Task {
+            let near = ask(&Task {
                 chain,
                 parts: &this.counting[parts].2,
                 solid: &body.solid,
@@ -108,8 +108,8 @@ impl<'a> Asked<'a> {
                 reach: clearance.wire.reach() + spread,
                 tolerance,
             })?;
-            let (stroke, time) = seen.stroke_at(meeting.time);
-            Some((*stroke, Meeting { time, ..meeting }))
+            let (stroke, time) = seen.stroke_at(near.time);
+            Some((*stroke, Proximity { time, ..near }))
         };
         let chain = &clearance.centreline.chain;
         let Some(hanging) = &clearance.hanging else {
@@ -121,10 +121,10 @@ impl<'a> Asked<'a> {
         for stroke in strokes {
             let shapes = self.shapes(hanging, stroke);
             for slice in &self.shapes[shapes].1 {
-                let Some((_, meeting)) = asks(self, &[slice.of(stroke)], &slice.chain, slice.spread) else {
+                let Some((_, near)) = asks(self, &[slice.of(stroke)], &slice.chain, slice.spread) else {
                     continue;
                 };
-                if take((*stroke, Meeting { time: slice.time(meeting.time), ..meeting })).is_break() {
+                if take((*stroke, Proximity { time: slice.time(near.time), ..near })).is_break() {
                     return;
                 }
             }
@@ -163,20 +163,20 @@ impl<'a> Asked<'a> {
     }
 
     /// A contact as a whole, from where it was found.
-    pub fn contact(&self, obstacle: Obstacle, (stroke, meeting): (Stroke, Meeting)) -> Contact {
+    pub fn contact(&self, obstacle: Obstacle, (stroke, near): (Stroke, Proximity)) -> Contact {
         let legs = &self.clearance.centreline.legs;
-        let leg = legs.partition_point(|leg| leg.straight.to + leg.arc / 2.0 < meeting.along);
-        let state = stroke.at(meeting.time);
+        let leg = legs.partition_point(|leg| leg.straight.to + leg.arc / 2.0 < near.along);
+        let state = stroke.at(near.time);
         Contact {
             step: self.step,
             phase: stroke.phase,
-            passed: self.passed(&stroke, &state, meeting.time),
+            passed: self.passed(&stroke, &state, near.time),
             fed: Length::computed(state.fed),
             head: Angle::computed(state.head),
             bent: Angle::computed(stroke.side * state.bent),
             obstacle,
             leg: leg.min(self.step),
-            along: Length::computed(meeting.along),
+            along: Length::computed(near.along),
         }
     }
 

@@ -189,20 +189,27 @@ pub(crate) fn contact_options(wire: &JobWire) -> Result<ContactOptions, crate::P
 
 #[cfg(test)]
 mod tests {
+    use wirebend_core::checks::{Fact, Severity};
+
     use super::*;
     use crate::design::DesignInput;
     use crate::machine::restored;
+    use crate::plan::Planned;
     use crate::{Installation, NoProgress, PlanChoices};
+
+    fn planned_with_the_kit(app: &Installation, name: &str) -> Planned {
+        let example = format!("{}/../../examples/{name}.obj", env!("CARGO_MANIFEST_DIR"));
+        let opened = DesignInput::file(example.into()).open(&NoProgress).unwrap();
+        let choices = PlanChoices { machine: Some("wirebend-kit".into()), ..PlanChoices::default() };
+        app.plan_design(opened, &choices, &NoProgress).unwrap()
+    }
 
     /// A person who arms a machine would be told something else than the window says of the design.
     #[test]
     fn a_job_collides_where_its_design_does() {
         let app = Installation::new(&[]).unwrap();
         for (name, collide) in [("house", true), ("cube-8-edges", true), ("u-sample", false)] {
-            let example = format!("{}/../../examples/{name}.obj", env!("CARGO_MANIFEST_DIR"));
-            let opened = DesignInput::file(example.into()).open(&NoProgress).unwrap();
-            let choices = PlanChoices { machine: Some("wirebend-kit".into()), ..PlanChoices::default() };
-            let mut planned = app.plan_design(opened, &choices, &NoProgress).unwrap();
+            let mut planned = planned_with_the_kit(&app, name);
             let job = planned.job().unwrap().unwrap();
             let setup = restored(name, job.contents()).unwrap();
             let found = JobCollisions::of(&job.contents().wires[0], &setup);
@@ -216,13 +223,44 @@ mod tests {
         }
     }
 
+    /// What is only near must not stand where what is hit should, and is no collision.
+    #[test]
+    fn errors_are_named_first_then_what_is_hit_and_what_is_only_near_last() {
+        let planned = planned_with_the_kit(&Installation::new(&[]).unwrap(), "house");
+        let wire = planned.job().unwrap().unwrap().contents().wires[0].clone();
+        let one = JobCollisions::of(&wire, &planned.setup).findings()[0].clone();
+        let finding = |severity, depth: f64| {
+            let mut finding = Diagnostic { severity, ..one.clone() };
+            let Fact::MeetsMachine { meeting, .. } = &mut finding.fact else { panic!("{:?}", one.fact) };
+            meeting.depth = Length::from_mm(depth).unwrap();
+            finding
+        };
+        let lines = |findings: &[Diagnostic]| {
+            let findings = findings.to_vec();
+            JobCollisions::Checked { findings, bodies: 6, estimates: 5, options: ContactOptions::default() }
+                .lines()
+        };
+        let near = finding(Severity::Warning, -1.0);
+        let hit = finding(Severity::Warning, 2.0);
+        let error = finding(Severity::Error, 3.0);
+
+        let mixed = lines(&[near.clone(), near.clone(), near.clone(), hit, error]);
+        let [first, second, third, more] = &mixed[..] else { panic!("{mixed:?}") };
+        assert!(first.contains("goes 3.0 mm into"), "{first}");
+        assert!(second.contains("goes 2.0 mm into"), "{second}");
+        assert!(third.contains("comes within 1.0 mm of"), "{third}");
+        assert_eq!(more, "and 2 more");
+
+        let only_near = lines(&[near]);
+        let [none, place] = &only_near[..] else { panic!("{only_near:?}") };
+        assert_eq!(none, "no collision found with the machine's bodies (5 of 6 bodies are estimates)");
+        assert!(place.contains("comes within 1.0 mm of"), "{place}");
+    }
+
     #[test]
     fn at_most_three_collisions_are_named_and_without_any_it_says_what_is_only_an_estimate() {
         let app = Installation::new(&[]).unwrap();
-        let example = format!("{}/../../examples/house.obj", env!("CARGO_MANIFEST_DIR"));
-        let opened = DesignInput::file(example.into()).open(&NoProgress).unwrap();
-        let choices = PlanChoices { machine: Some("wirebend-kit".into()), ..PlanChoices::default() };
-        let planned = app.plan_design(opened, &choices, &NoProgress).unwrap();
+        let planned = planned_with_the_kit(&app, "house");
         let mut wire = planned.job().unwrap().unwrap().contents().wires[0].clone();
         let JobCollisions::Checked { findings, .. } = JobCollisions::of(&wire, &planned.setup) else {
             panic!()
