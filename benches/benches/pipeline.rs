@@ -86,12 +86,14 @@ fn whole_pipeline(c: &mut Criterion) {
     group.finish();
 }
 
-/// A plane of triangles, some of whose cells are divided the other way, so that hundreds of vertices are odd.
-fn sheet(side: u32) -> Wireframe {
+/// A sheet of triangles, some of whose cells are divided the other way, so that hundreds of vertices are odd. With spikes all edges run
+/// the same way from the tip of each, so that every route makes bends there that no machine makes.
+fn sheet(side: u32, spikes: bool) -> Wireframe {
     let mut w = Wireframe::new();
     for k in 0..side * side {
         let (row, column) = (k / side, k % side);
-        w.add_vertex(Vertex::at(Point3::new(60.0 * f64::from(column), 60.0 * f64::from(row), 0.0))).unwrap();
+        let height = if spikes && row % 4 == 1 && column % 4 == 1 { 400.0 } else { 0.0 };
+        w.add_vertex(Vertex::at(Point3::new(60.0 * f64::from(column), 60.0 * f64::from(row), height))).unwrap();
     }
     let at = |row: u32, column: u32| VertexId(row * side + column);
     for row in 0..side {
@@ -116,11 +118,13 @@ fn sheet(side: u32) -> Wireframe {
 /// What a window asks while a person drags a vertex: text in, text out.
 fn live_check(c: &mut Criterion) {
     let mut group = c.benchmark_group("live-check");
-    let (column, sheet) = (column(34, 10), sheet(59));
+    let (column, sheet, spikes) = (column(34, 10), sheet(59, false), sheet(59, true));
     assert!(sheet.edge_count() >= 10_000, "{}", sheet.edge_count());
     let odd = sheet.odd_vertices(&sheet.components()[0], &[]).len();
     assert!(odd > 1000, "{odd}");
-    for (name, wireframe) in [("column-1000-edges", column), ("sheet-10000-edges", sheet)] {
+    for (name, wireframe) in
+        [("column-1000-edges", column), ("sheet-10000-edges", sheet), ("spikes-10000-edges", spikes)]
+    {
         drag(&mut group, name, wireframe);
     }
     group.finish();
