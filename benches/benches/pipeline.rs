@@ -93,7 +93,8 @@ fn sheet(side: u32, spikes: bool) -> Wireframe {
     for k in 0..side * side {
         let (row, column) = (k / side, k % side);
         let height = if spikes && row % 4 == 1 && column % 4 == 1 { 400.0 } else { 0.0 };
-        w.add_vertex(Vertex::at(Point3::new(60.0 * f64::from(column), 60.0 * f64::from(row), height))).unwrap();
+        w.add_vertex(Vertex::at(Point3::new(60.0 * f64::from(column), 60.0 * f64::from(row), height)))
+            .unwrap();
     }
     let at = |row: u32, column: u32| VertexId(row * side + column);
     for row in 0..side {

@@ -38,28 +38,15 @@ pub fn close_pairs(
         grow(&mut tree, &mut order, &corners, 0);
     }
     let search = Search { corners: &corners, order: &order, tree: &tree, reach };
-    let mut found = Vec::new();
-    let mut left = most;
-    for index in 0..pieces.len() {
-        let stopped = search.look(0, index, &mut |other| {
-            // Both pieces of a pair come to it.
-            if other <= index {
-                return ControlFlow::Continue(());
-            }
-            let Some(rest) = left.checked_sub(1) else { return ControlFlow::Break(()) };
-            left = rest;
-            if counts([index, other]) {
-                let (distance, parts) = between_pieces(&pieces[index], &pieces[other]);
-                if distance < reach {
-                    found.push(ClosePair { pieces: [index, other], distance, parts });
-                }
-            }
-            ControlFlow::Continue(())
-        });
-        if stopped.is_break() {
-            break;
+    let near = search.near(most).unwrap_or_else(|| search.near_in_order(most));
+    let close = |pair: [usize; 2]| {
+        if !counts(pair) {
+            return None;
         }
-    }
+        let (distance, parts) = between_pieces(&pieces[pair[0]], &pieces[pair[1]]);
+        (distance < reach).then_some(ClosePair { pieces: pair, distance, parts })
+    };
+    let mut found: Vec<ClosePair> = near.into_iter().filter_map(close).collect();
     found.sort_by_key(|pair| pair.pieces);
     found
 }
@@ -81,8 +68,9 @@ impl Corners {
     }
 
     fn is_within(&self, reach: f64, other: &Self) -> bool {
-        let gap = (self.low - other.high).sup(&(other.low - self.high));
-        gap.max() < reach
+        (0..3).all(|axis| {
+            self.low[axis] - other.high[axis] < reach && other.low[axis] - self.high[axis] < reach
+        })
     }
 }
 
@@ -121,6 +109,83 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
+    /// The pairs with boxes within reach; none where there are more than `most`.
+    fn near(&self, most: usize) -> Option<Vec<[usize; 2]>> {
+        let mut found = Vec::new();
+        let complete = self.near_between([0, 0], &mut |pair| {
+            if found.len() == most {
+                return ControlFlow::Break(());
+            }
+            found.push(pair);
+            ControlFlow::Continue(())
+        });
+        complete.is_continue().then_some(found)
+    }
+
+    /// Gives each pair of a piece in one node and one in the other with boxes within reach, until told to stop. Of a node with itself
+    /// each pair comes once.
+    fn near_between(
+        &self,
+        [one, other]: [usize; 2],
+        near: &mut impl FnMut([usize; 2]) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        let (Some(ours), Some(theirs)) = (self.tree.get(one), self.tree.get(other)) else {
+            return ControlFlow::Continue(());
+        };
+        if !ours.corners.is_within(self.reach, &theirs.corners) {
+            return ControlFlow::Continue(());
+        }
+        let size = |node: &Node| node.end - node.first;
+        match (ours.second, theirs.second) {
+            (Some(second), _) if one == other => {
+                self.near_between([one + 1; 2], near)?;
+                self.near_between([one + 1, second], near)?;
+                self.near_between([second; 2], near)
+            }
+            (Some(second), theirs_second) if theirs_second.is_none() || size(ours) >= size(theirs) => {
+                self.near_between([one + 1, other], near)?;
+                self.near_between([second, other], near)
+            }
+            (_, Some(second)) => {
+                self.near_between([one, other + 1], near)?;
+                self.near_between([one, second], near)
+            }
+            (_, None) => {
+                for at in ours.first..ours.end {
+                    let from = if one == other { at + 1 } else { theirs.first };
+                    let index = self.order[at];
+                    for &opposite in &self.order[from..theirs.end] {
+                        if self.corners[index].is_within(self.reach, &self.corners[opposite]) {
+                            near([index.min(opposite), index.max(opposite)])?;
+                        }
+                    }
+                }
+                ControlFlow::Continue(())
+            }
+        }
+    }
+
+    /// So many of them, those of the first pieces.
+    fn near_in_order(&self, most: usize) -> Vec<[usize; 2]> {
+        let mut found = Vec::new();
+        for index in 0..self.order.len() {
+            let stopped = self.look(0, index, &mut |other| {
+                // Both pieces of a pair come to it.
+                if other > index {
+                    if found.len() == most {
+                        return ControlFlow::Break(());
+                    }
+                    found.push([index, other]);
+                }
+                ControlFlow::Continue(())
+            });
+            if stopped.is_break() {
+                break;
+            }
+        }
+        found
+    }
+
     /// Gives each piece in a node whose box is near that of piece `index`, until told to stop.
     fn look(
         &self,

@@ -1,7 +1,6 @@
 //! Connected components: each one that has edges is a wire of its own.
 
-use std::collections::BTreeMap;
-use std::collections::btree_map::Entry;
+use petgraph::visit::NodeIndexable;
 
 use super::graph::{EdgeId, VertexId, Wireframe};
 
@@ -19,29 +18,34 @@ impl Wireframe {
     /// component without edges.
     #[must_use]
     pub fn components(&self) -> Vec<Component> {
-        let mut component_of = BTreeMap::new();
+        const NONE: usize = usize::MAX;
+        let mut component_of = vec![NONE; self.graph.node_bound()];
         let mut components: Vec<Component> = Vec::new();
-        for (start, _) in self.vertices() {
-            if component_of.contains_key(&start) {
+        for &start in self.vertices.values() {
+            if component_of[start.index()] != NONE {
                 continue;
             }
-            component_of.insert(start, components.len());
-            let mut vertices = vec![start];
+            component_of[start.index()] = components.len();
+            let mut reached = vec![start];
             let mut next = 0;
-            while let Some(&vertex) = vertices.get(next) {
+            while let Some(&vertex) = reached.get(next) {
                 next += 1;
-                for other in self.neighbours(vertex) {
-                    if let Entry::Vacant(vacant) = component_of.entry(other) {
-                        vacant.insert(components.len());
-                        vertices.push(other);
+                for other in self.graph.neighbors(vertex) {
+                    if component_of[other.index()] == NONE {
+                        component_of[other.index()] = components.len();
+                        reached.push(other);
                     }
                 }
             }
+            let ids = reached.iter().filter_map(|&vertex| self.graph.node_weight(vertex));
+            let mut vertices: Vec<VertexId> = ids.map(|&(id, _)| id).collect();
             vertices.sort_unstable();
             components.push(Component { vertices, edges: Vec::new() });
         }
-        for (id, edge) in self.edges() {
-            if let Some(component) = component_of.get(&edge.a).and_then(|&k| components.get_mut(k)) {
+        for (&id, &index) in &self.edges {
+            let ends = self.graph.edge_endpoints(index);
+            let component = ends.and_then(|(a, _)| components.get_mut(component_of[a.index()]));
+            if let Some(component) = component {
                 component.edges.push(id);
             }
         }

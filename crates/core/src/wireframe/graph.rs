@@ -299,13 +299,6 @@ impl Wireframe {
         edges
     }
 
-    /// The vertices at the other ends of the edges at a vertex, in no order, once for each edge.
-    pub(super) fn neighbours(&self, id: VertexId) -> impl Iterator<Item = VertexId> + '_ {
-        let index = self.vertices.get(&id).copied();
-        let around = index.into_iter().flat_map(|index| self.graph.neighbors(index));
-        around.filter_map(|index| self.graph.node_weight(index).map(|&(id, _)| id))
-    }
-
     /// From `from` to the other end of an edge, in mm; `None` when either is not there.
     #[must_use]
     pub fn direction(&self, edge: EdgeId, from: VertexId) -> Option<Vector3<f64>> {

@@ -3,11 +3,15 @@
 use std::collections::HashMap;
 
 use crate::units::Length;
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 
-/// Points that are farther from each other than a tolerance, in a grid of cells of that size.
+/// A cell of the grid is so many tolerances large: most points are near to few other cells, and not many lie in the same one however
+/// dense they are.
+const CELL: f64 = 4.0;
+
+/// Points that are farther from each other than a tolerance, in a grid of cells.
 ///
-/// However many points are put in, a cell holds only a few, so the time is linear even where a
+/// However many points are put in, a cell holds no more than some hundred, so the time is linear even where a
 /// whole model is smaller than the tolerance.
 #[derive(Debug)]
 pub struct Welder {
@@ -36,17 +40,19 @@ impl Welder {
     /// The first remembered point within the tolerance (mm).
     #[must_use]
     pub fn near(&self, point: Point3<f64>) -> Option<u32> {
-        let [x, y, z] = self.cell(point);
-        let around = |offset: i64, n: i64| offset.saturating_add(n % 3 - 1);
-        let cells =
-            (0..27).filter_map(|n| self.cells.get(&[around(x, n), around(y, n / 3), around(z, n / 9)]));
-        let close = cells.flatten().filter(|(_, other)| (other - point).norm() <= self.tolerance);
+        // What is rounded must not hide a point at the very end of the tolerance.
+        let reach = Vector3::repeat(self.tolerance * (1.0 + 1e-9));
+        let (low, high) = (self.cell(point - reach), self.cell(point + reach));
+        let cells = (low[0]..=high[0])
+            .flat_map(|x| (low[1]..=high[1]).flat_map(move |y| (low[2]..=high[2]).map(move |z| [x, y, z])));
+        let near = cells.filter_map(|cell| self.cells.get(&cell)).flatten();
+        let close = near.filter(|(_, other)| (other - point).norm() <= self.tolerance);
         close.map(|&(index, _)| index).min()
     }
 
     fn cell(&self, point: Point3<f64>) -> [i64; 3] {
         // A cell is never smaller than what a coordinate of a kilometre can resolve.
-        let size = self.tolerance.max(1e-9);
+        let size = (CELL * self.tolerance).max(1e-9);
         #[allow(clippy::cast_possible_truncation)] // saturates, which keeps neighbours together
         [point.x, point.y, point.z].map(|c| (c / size).floor() as i64)
     }

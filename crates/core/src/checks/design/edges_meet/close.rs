@@ -168,6 +168,14 @@ impl Layout {
         let short = usize::from(self.lengths[edges[1]] < self.lengths[edges[0]]);
         let (edge, long) = (edges[short], edges[1 - short]);
         let end = usize::from(self.ends[edge][0] == shared);
+        // Most are far from it: that is seen with less.
+        let [from, to] = [self.pieces[edge][1 - end], self.pieces[edge][end]];
+        let far = usize::from(self.ends[long][0] == shared);
+        let along = (to - from).dot(&(self.pieces[long][far] - from)) / self.lengths[long];
+        let aside = (to - from).norm_squared() - along * along;
+        if along <= 0.0 || aside > diameter * diameter / 2.0 {
+            return None;
+        }
         let (distance, [_, part]) = between_pieces(&[self.pieces[edge][end]; 2], &self.pieces[long]);
         let mut parts = [part; 2];
         parts[short] = if end == 0 { 0.0 } else { 1.0 };
