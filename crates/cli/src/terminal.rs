@@ -1,17 +1,18 @@
 //! A person at a terminal: they read what happens, and are asked before anything moves.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::io::{BufRead, IsTerminal, Write};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
 use wirebend_api::{
-    Cancellation, Decision, Doubt, MachineEvent, NoProgress, Observer, OrderName, PartOfStep, Phase,
-    Progress, Prompt, SHOWN_AS_ZERO, SeverityName, Snapshot, StopHandle, Wish,
+    BestSoFar, Cancellation, Decision, Doubt, MachineEvent, NoProgress, Observer, OrderName, PartOfStep,
+    Phase, Progress, Prompt, SHOWN_AS_ZERO, SeverityName, Snapshot, StopHandle, Wish,
 };
 
 use crate::number::number;
 use crate::progress::Bar;
+use crate::render::number::{count, mm};
 use crate::{keyboard, render, stop};
 
 /// How often a question looks whether Ctrl-C was pressed.
@@ -30,6 +31,8 @@ pub(crate) struct Terminal {
     hinted: Cell<bool>,
     /// Whether a question is on the screen: the bar waits.
     asks: Cell<bool>,
+    /// What is searched.
+    search: RefCell<String>,
 }
 
 impl Terminal {
@@ -42,6 +45,7 @@ impl Terminal {
             wished: Cell::new(None),
             hinted: Cell::new(false),
             asks: Cell::new(false),
+            search: RefCell::default(),
         }
     }
 
@@ -184,7 +188,21 @@ impl Progress for Terminal {
 
     fn search(&self, name: &str) {
         stop::search(true);
-        self.shown().stage(&format!("{name} (Ctrl-C takes the best so far)"));
+        name.clone_into(&mut self.search.borrow_mut());
+        self.best(None);
+    }
+
+    fn best(&self, best: Option<BestSoFar>) {
+        let name = self.search.borrow();
+        self.shown().stage(&match best {
+            None => format!("{name} (Ctrl-C takes the best so far)"),
+            Some(BestSoFar { wires, doubled_mm }) => {
+                let doubled =
+                    if doubled_mm > 0.0 { format!(", {} mm doubled", mm(doubled_mm)) } else { String::new() };
+                let wires = count(wires, "wire", "wires");
+                format!("found {wires}{doubled}, looking for better (Ctrl-C takes it)")
+            }
+        });
     }
 
     fn goes_on(&self) -> bool {

@@ -1,5 +1,24 @@
 //! How far long work is.
 
+use schemars::JsonSchema;
+use serde::Serialize;
+use wirebend_core::search;
+
+/// The best program without collisions that a search has found for a part of the design until now.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct BestSoFar {
+    /// How many wires it has.
+    pub wires: usize,
+    /// What they run along twice, mm.
+    pub doubled_mm: f64,
+}
+
+impl From<search::BestSoFar> for BestSoFar {
+    fn from(search::BestSoFar { wires, added }: search::BestSoFar) -> Self {
+        Self { wires, doubled_mm: added.mm() }
+    }
+}
+
 /// Hears how far long work is. Called from the thread that does it.
 pub trait Progress {
     /// A stage begins: a word or two for a person.
@@ -10,6 +29,8 @@ pub trait Progress {
     fn search(&self, name: &str) {
         self.stage(name);
     }
+    /// What the search would end with, where that is free of collisions, has changed: another part has none yet.
+    fn best(&self, _best: Option<BestSoFar>) {}
     /// Whether a search goes on; else it ends with the best that it has.
     fn goes_on(&self) -> bool {
         true

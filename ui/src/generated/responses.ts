@@ -6676,6 +6676,10 @@ export interface Work {
    */
   ask: string;
   /**
+   * What a search for a program without collisions would end with now; null where it has found none.
+   */
+  best: BestSoFar | null;
+  /**
    * So many things are done.
    */
   done: number;
@@ -6687,4 +6691,17 @@ export interface Work {
    * A word or two for a person.
    */
   stage: string;
+}
+/**
+ * The best program without collisions that a search has found for a part of the design until now.
+ */
+export interface BestSoFar {
+  /**
+   * What they run along twice, mm.
+   */
+  doubled_mm: number;
+  /**
+   * How many wires it has.
+   */
+  wires: number;
 }

@@ -17,7 +17,7 @@ use wirebend_core::clearance::{Obstacle, passages};
 use wirebend_core::plan::{
     DoublingChoice, Machine, PlanObserver, PlanOptions, Searched, Stage, WirePlan, plan_wires,
 };
-use wirebend_core::search::{Obstruction, SearchOptions};
+use wirebend_core::search::{Obstruction, SearchOptions, SearchProgress};
 use wirebend_core::wireframe::Wireframe;
 
 /// So many random frames are searched.
@@ -114,7 +114,7 @@ struct Timed {
 impl PlanObserver for Timed {
     fn done(&mut self, _: Stage) {}
 
-    fn searching(&mut self, _: u64, _: u64) -> bool {
+    fn searching(&mut self, _: SearchProgress, _: u64) -> bool {
         Instant::now() < self.until
     }
 

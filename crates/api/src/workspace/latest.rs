@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use wirebend_planning::report::DiagnosticCode;
 
-use crate::Progress;
+use crate::{BestSoFar, Progress};
 
 /// From one report to the next.
 const BETWEEN: Duration = Duration::from_millis(100);
@@ -54,6 +54,10 @@ impl Progress for Search<'_> {
             self.next.set(Some(now + BETWEEN));
             self.progress.advance(done, of);
         }
+    }
+
+    fn best(&self, best: Option<BestSoFar>) {
+        self.progress.best(best);
     }
 
     fn goes_on(&self) -> bool {

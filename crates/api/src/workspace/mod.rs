@@ -35,7 +35,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_files::document::DocumentError;
 
-use crate::{ApiError, Editor, Installation, Operator, OperatorEvent, Places};
+use crate::{ApiError, BestSoFar, Editor, Installation, Operator, OperatorEvent, Places};
 pub use about::{AboutRequest, AboutResponse};
 pub use calibrations::ApplyCalibration;
 pub use collisions::{
@@ -97,7 +97,7 @@ pub trait EventSink: Send + Sync {
 }
 
 /// How far long work is.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Work {
     /// What was asked for.
     pub ask: String,
@@ -107,6 +107,8 @@ pub struct Work {
     pub done: u64,
     /// Of so many; 0 where that is not known.
     pub of: u64,
+    /// What a search for a program without collisions would end with now; null where it has found none.
+    pub best: Option<BestSoFar>,
 }
 
 /// What a window works with.

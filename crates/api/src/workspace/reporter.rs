@@ -1,15 +1,15 @@
 //! How a window hears how far long work is.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use wirebend_operation::{Cancellation, Observer, Prompt};
 
 use super::{WindowEvent, Work, Workspace};
-use crate::Progress;
+use crate::{BestSoFar, Progress};
 
 impl Workspace {
     pub(crate) fn reporter(&self, word: &'static str) -> ProgressReporter<'_> {
-        ProgressReporter { workspace: self, word, stage: RefCell::default() }
+        ProgressReporter { workspace: self, word, stage: RefCell::default(), best: Cell::default() }
     }
 }
 
@@ -18,12 +18,13 @@ pub(crate) struct ProgressReporter<'a> {
     workspace: &'a Workspace,
     word: &'static str,
     stage: RefCell<String>,
+    best: Cell<Option<BestSoFar>>,
 }
 
 impl ProgressReporter<'_> {
     fn report(&self, done: u64, of: u64) {
         let (ask, stage) = (self.word.to_owned(), self.stage.borrow().clone());
-        self.workspace.emit(&WindowEvent::Work(Work { ask, stage, done, of }));
+        self.workspace.emit(&WindowEvent::Work(Work { ask, stage, done, of, best: self.best.get() }));
     }
 }
 
@@ -40,6 +41,11 @@ impl Progress for ProgressReporter<'_> {
         if self.word != "check" {
             self.report(done, of);
         }
+    }
+
+    // It is told with how far the search is.
+    fn best(&self, best: Option<BestSoFar>) {
+        self.best.set(best);
     }
 }
 

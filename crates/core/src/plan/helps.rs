@@ -43,8 +43,8 @@ impl<O: PlanObserver> Trials<'_, O> {
             return None;
         }
         let (before, of, observer, ended) = (self.looked, self.of, &mut *self.observer, &mut self.ended);
-        let found = searching.look(self.routes, doubled, options, |checks| {
-            *ended |= !observer.trying((before + checks).min(of), of);
+        let found = searching.look(self.routes, doubled, options, |progress| {
+            *ended |= !observer.trying((before + progress.checks).min(of), of);
             !*ended
         })?;
         self.looked += found.checks;

@@ -20,7 +20,7 @@ use crate::estimate::{TimeModel, WireModel};
 use crate::route::{Doubling, Route};
 use crate::sag::Sag;
 use crate::schedule::{HeadLimits, ScheduledProgram};
-use crate::search::{Objective, Obstruction, SearchOptions};
+use crate::search::{Objective, Obstruction, SearchOptions, SearchProgress};
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 pub use closing::name_closing_bends;
@@ -147,8 +147,8 @@ pub trait PlanObserver {
     /// A stage has been done.
     fn done(&mut self, stage: Stage);
 
-    /// A search has checked so many steps, of so many at most. Whether it goes on; else it ends with the best that it has.
-    fn searching(&mut self, _checks: u64, _of: u64) -> bool {
+    /// How far the search for the wires of a part is, of so many steps at most. Whether it goes on; else it ends with the best that it has.
+    fn searching(&mut self, _progress: SearchProgress, _of: u64) -> bool {
         true
     }
 

@@ -12,7 +12,8 @@ use crate::clearance::Obstacle;
 use crate::route::{Doubling, ForcedBend, Route};
 use crate::schedule::ScheduledProgram;
 use crate::search::{
-    Bender, FoundWire, Helps, Obstruction, SearchOptions, SearchOutcome, SearchTask, bend_route, search,
+    Bender, FoundWire, Helps, Obstruction, SearchOptions, SearchOutcome, SearchProgress, SearchTask,
+    bend_route, search,
 };
 use crate::units::Angle;
 use crate::wireframe::{Component, EdgeId, Wireframe};
@@ -54,8 +55,8 @@ impl Searching<'_> {
         let most = if options.closed { wanted.effort } else { wanted.most_checks() };
         let mut ended = false;
         let task = Doubled { edges: doubled, is_free: self.is_free() };
-        let outcome = self.look(routes, task, wanted, |checks| {
-            ended |= !observer.searching(checks, most);
+        let outcome = self.look(routes, task, wanted, |progress| {
+            ended |= !observer.searching(progress, most);
             !ended
         })?;
         let keeps_walks = !options.settled.is_empty();
@@ -87,7 +88,7 @@ impl Searching<'_> {
         routes: &[Route],
         doubled: Doubled,
         wanted: &SearchOptions,
-        should_continue: impl FnMut(u64) -> bool,
+        should_continue: impl FnMut(SearchProgress) -> bool,
     ) -> Option<SearchOutcome> {
         let Self { wireframe, component, machine, options } = *self;
         let seconds = |bend| bend_seconds(machine, bend);

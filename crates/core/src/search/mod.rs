@@ -16,10 +16,11 @@ use crate::clearance::{Bodies, Obstacle, StockWire};
 use crate::compensate::BendModel;
 use crate::route::Route;
 use crate::schedule::{HeadLimits, ScheduledProgram};
-use crate::units::Angle;
+use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 use heads::Orientation;
 pub use helps::{Change, ChangeKind, Help, Helps, MovedVertex};
+use objective::Order;
 pub use objective::{Objective, Weights};
 use rounds::Search;
 pub(crate) use wire::bend_route;
@@ -143,16 +144,33 @@ pub struct SearchOutcome {
     pub obstruction: Option<Obstruction>,
 }
 
-/// Searches for wires along all edges of a component that meet nothing while they are bent. `should_continue` is told how many steps were
-/// checked; the search ends where it says no, with the best that there is. `None`: the routes that are there cannot be bent at
-/// all.
+/// The best of the wires found so far that meet nothing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BestSoFar {
+    /// How many wires.
+    pub wires: usize,
+    /// What they run along twice.
+    pub added: Length,
+}
+
+/// How far a search is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SearchProgress {
+    /// How many steps were checked.
+    pub checks: u64,
+    /// What it ends with if it ends now; none where it has found nothing.
+    pub best: Option<BestSoFar>,
+}
+
+/// Searches for wires along all edges of a component that meet nothing while they are bent. `should_continue` is told how far it is;
+/// the search ends where it says no, with the best that there is. `None`: the routes that are there cannot be bent at all.
 pub fn search(
     wireframe: &Wireframe,
     component: &Component,
     bender: &Bender,
     task: &SearchTask,
     options: &SearchOptions,
-    mut should_continue: impl FnMut(u64) -> bool,
+    mut should_continue: impl FnMut(SearchProgress) -> bool,
 ) -> Option<SearchOutcome> {
     let best_of = |route: &Route| {
         let backwards = (!task.keep_routes && task.start.is_none()).then(|| route.reversed());
@@ -181,14 +199,17 @@ pub fn search(
     };
     let mut attempt = |wires: usize, outcome: &mut SearchOutcome| -> bool {
         let mut search = Search::new((wireframe, component), bender, task, options, wires);
-        let before = outcome.checks;
-        let found = search.run(&mut |checks| should_continue(before + checks));
+        let order = |found: &Found| objective.order(wireframe, found);
+        let (before, known) = (outcome.checks, outcome.is_clear.then(|| order(&outcome.best)));
+        let found = search.run(&mut |checks, best| {
+            let best = best.into_iter().chain(known).min().map(Order::so_far);
+            should_continue(SearchProgress { checks: before + checks, best })
+        });
         outcome.checks += search.checks;
         // From a chosen start these are not all walks.
         outcome.exhausted = search.exhausted && most == 1 && task.start.is_none();
         outcome.obstruction = farther(outcome.obstruction, search.obstruction);
         let is_found = found.is_some();
-        let order = |found: &Found| objective.order(wireframe, found);
         if let Some(found) = found.filter(|found| !outcome.is_clear || order(found) < order(&outcome.best)) {
             (outcome.best, outcome.is_clear) = (found, true);
         }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::Found;
+use super::{BestSoFar, Found};
 use crate::units::Length;
 use crate::wireframe::Wireframe;
 
@@ -27,8 +27,26 @@ pub struct Weights {
     pub second: u32,
 }
 
-/// Of two the smaller one is better: the sum of weights in millionths, the number of wires, what is doubled, ns.
-pub(super) type Order = (u128, usize, Length, i64);
+/// How good wires are: of two the smaller one is better.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Order {
+    /// The sum of weights, in millionths.
+    sum: u128,
+    /// How many there are.
+    wires: usize,
+    /// What is doubled, µm.
+    doubled: u64,
+    /// What their turns and bends take.
+    nanoseconds: i64,
+}
+
+impl Order {
+    /// What of it is told while the search goes on.
+    #[allow(clippy::cast_precision_loss)] // kilometres
+    pub fn so_far(self) -> BestSoFar {
+        BestSoFar { wires: self.wires, added: Length::computed(self.doubled as f64 / 1000.0) }
+    }
+}
 
 impl Objective {
     /// How good wires are.
@@ -39,21 +57,21 @@ impl Objective {
         let added: Length = again.map(|traversal| wireframe.edge_length(traversal.edge)).sum();
         let nanoseconds: i64 = found.wires.iter().map(|wire| wire.nanoseconds).sum();
         // Sums in another order differ by less than a thousandth of a millimetre.
-        let micrometres = (added.mm() * 1000.0).round();
-        let sum = self.sum(found.wires.len(), micrometres, nanoseconds);
-        (sum, found.wires.len(), Length::computed(micrometres), nanoseconds)
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole and not negative
+        let doubled = (added.mm() * 1000.0).round() as u64;
+        let wires = found.wires.len();
+        Order { sum: self.sum(wires, doubled, nanoseconds), wires, doubled, nanoseconds }
     }
 
     /// Whether so many wires can be better than a program of this order: without anything doubled and in no time.
     pub(super) fn may_pay(self, wires: usize, best: &Order) -> bool {
-        self == Self::InOrder || self.sum(wires, 0.0, 0) < best.0
+        self == Self::InOrder || self.sum(wires, 0, 0) < best.sum
     }
 
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole and not negative
-    fn sum(self, wires: usize, micrometres: f64, nanoseconds: i64) -> u128 {
+    fn sum(self, wires: usize, micrometres: u64, nanoseconds: i64) -> u128 {
         let Self::Weighed(Weights { wire, doubled_mm, second }) = self else { return 0 };
         u128::from(wire) * wires as u128 * 1_000_000
-            + u128::from(doubled_mm) * micrometres as u128 * 1000
+            + u128::from(doubled_mm) * u128::from(micrometres) * 1000
             + u128::from(second) * u128::from(nanoseconds.unsigned_abs()) / 1000
     }
 }

@@ -58,7 +58,8 @@ impl<'a> Search<'a> {
     }
 
     /// The best wires that it finds: after the first ones it goes on for as long again.
-    pub fn run(&mut self, should_continue: &mut impl FnMut(u64) -> bool) -> Option<Found> {
+    /// `should_continue` is told how many steps were checked, and how good the best is.
+    pub fn run(&mut self, should_continue: &mut impl FnMut(u64, Option<Order>) -> bool) -> Option<Found> {
         let mut rng = ChaCha8Rng::seed_from_u64(self.options.seed);
         let mut best: Option<(Found, Order)> = None;
         let mut until = self.options.effort;
@@ -80,7 +81,9 @@ impl<'a> Search<'a> {
             let mut exhausted = self.wires == 1 && is_settled && are_all;
             for begin in begins {
                 let noise = f64::from(u32::try_from(round.min(8)).unwrap_or(8)) / 2.0;
-                let (found, all) = self.descend(&passes, (begin, noise), until, &mut rng, should_continue);
+                let known = best.as_ref().map(|(_, order)| *order);
+                let goes_on = &mut |checks| should_continue(checks, known);
+                let (found, all) = self.descend(&passes, (begin, noise), until, &mut rng, goes_on);
                 exhausted &= all;
                 if let Some(found) = found {
                     if best.is_none() {
@@ -91,13 +94,15 @@ impl<'a> Search<'a> {
                         best = Some((found, order));
                     }
                 }
-                if self.checks >= until || !should_continue(self.checks) {
+                let known = best.as_ref().map(|(_, order)| *order);
+                if self.checks >= until || !should_continue(self.checks, known) {
                     return best.map(|(found, _)| found);
                 }
             }
             // All trails of a wire were looked at, with the part in every position that is tried: there are others between these.
             if exhausted && round > 0 {
-                let between = best.is_none().then(|| self.between(&passes, until, &mut rng, should_continue));
+                let goes_on = &mut |checks| should_continue(checks, None);
+                let between = best.is_none().then(|| self.between(&passes, until, &mut rng, goes_on));
                 return best.map(|(found, _)| found).or(between.flatten());
             }
         }

@@ -270,8 +270,23 @@ struct Ended;
 impl PlanObserver for Ended {
     fn done(&mut self, _stage: Stage) {}
 
-    fn searching(&mut self, _checks: u64, _of: u64) -> bool {
+    fn searching(&mut self, _progress: SearchProgress, _of: u64) -> bool {
         false
+    }
+}
+
+/// Ends a search as soon as it has found something.
+#[derive(Default)]
+struct EndedByTheFirst {
+    best: Vec<BestSoFar>,
+}
+
+impl PlanObserver for &mut EndedByTheFirst {
+    fn done(&mut self, _stage: Stage) {}
+
+    fn searching(&mut self, progress: SearchProgress, _of: u64) -> bool {
+        self.best.extend(progress.best);
+        progress.best.is_none()
     }
 }
 
@@ -289,6 +304,32 @@ fn a_search_is_repeatable_and_can_be_ended() {
     let components = frame.components();
     let ended = plan_wires(&frame, &components[0], &machine, &options(few), Ended);
     assert_covers(&frame, &ended);
+}
+
+/// Whoever sees what is found so far and ends the search there gets just that.
+#[test]
+fn a_search_that_is_ended_gives_what_it_had_found_by_then() {
+    // Where two edges cross above each other at the corners of a square, one wire runs along an edge twice.
+    let a = 80.0;
+    let corners = [[0., 0., 0.], [a, 0., 0.], [a, a, 0.], [0., a, 0.], [a / 2., a / 2., 60.]];
+    let frame = wireframe(&corners, &[(0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 4), (4, 3)]);
+    let machine = machine(vec![body(MovesWith::Head, [80.0, 30.0, 30.0], [-60.0, 0.0, -25.0])]);
+    let components = frame.components();
+    let mut watched = EndedByTheFirst::default();
+    let wires =
+        plan_wires(&frame, &components[0], &machine, &options(SearchOptions::default()), &mut watched);
+    let [BestSoFar { wires: count, added }] = watched.best[..] else { panic!("{:?}", watched.best) };
+    let searched = wires[0].searched.unwrap();
+    assert!(searched.found && searched.ended, "{searched:?}");
+    assert_eq!(wires.len(), count);
+    let run: Length = wires
+        .iter()
+        .flat_map(|wire| &wire.route.as_ref().unwrap().traversals)
+        .map(|one| frame.edge_length(one.edge))
+        .sum();
+    let once: Length = components[0].edges.iter().map(|&edge| frame.edge_length(edge)).sum();
+    assert!((run.mm() - once.mm() - added.mm()).abs() < 1e-3, "{run} {once} {added}");
+    assert_covers(&frame, &wires);
 }
 
 /// Whoever weighs a wire less than what is doubled, as where wires are tied anyway, gets two wires instead of a doubled edge.

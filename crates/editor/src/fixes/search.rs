@@ -13,7 +13,7 @@ use wirebend_files::document::Document;
 use wirebend_planning::design::Opened;
 use wirebend_planning::machine::Setup;
 use wirebend_planning::plan::Planned;
-use wirebend_planning::{Installation, PlanChoices, PlanningError, Progress};
+use wirebend_planning::{BestSoFar, Installation, PlanChoices, PlanningError, Progress};
 
 use super::super::{ChosenWalk, EditRequest, Placed};
 use super::{Candidate, shown_mm};
@@ -55,6 +55,10 @@ impl Progress for Steps<'_> {
         if self.searches.get() {
             self.progress.advance(done, of);
         }
+    }
+
+    fn best(&self, best: Option<BestSoFar>) {
+        self.progress.best(best);
     }
 
     fn goes_on(&self) -> bool {

@@ -1,9 +1,11 @@
 //! Collisions of the open design, looked for beside the other checks.
 
+use std::cell::Cell;
+
 use serde_json::json;
 use wirebend_editor::Moved;
 use wirebend_planning::plan::CheckRequest;
-use wirebend_planning::{DesignInput, NoProgress, PlanChoices};
+use wirebend_planning::{BestSoFar, DesignInput, NoProgress, PlanChoices, Progress};
 
 use crate::{app, edit, example, open};
 
@@ -213,19 +215,34 @@ fn a_search_without_success_comes_with_what_helps_as_edits() {
 }
 
 /// Has enough after so many looks.
-struct Impatient(std::cell::Cell<u32>, std::cell::Cell<bool>);
+#[derive(Default)]
+struct Impatient {
+    looks: Cell<u32>,
+    told_how_far: Cell<bool>,
+    best: Cell<Option<BestSoFar>>,
+}
 
-impl wirebend_planning::Progress for Impatient {
+impl Impatient {
+    fn after(looks: u32) -> Self {
+        Self { looks: looks.into(), ..Self::default() }
+    }
+}
+
+impl Progress for Impatient {
     fn stage(&self, _name: &str) {}
 
     fn advance(&self, done: u64, of: u64) {
         assert!(done <= of);
-        self.1.set(true);
+        self.told_how_far.set(true);
+    }
+
+    fn best(&self, best: Option<BestSoFar>) {
+        self.best.set(best);
     }
 
     fn goes_on(&self) -> bool {
-        self.0.set(self.0.get().saturating_sub(1));
-        self.0.get() > 0
+        self.looks.set(self.looks.get().saturating_sub(1));
+        self.looks.get() > 0
     }
 }
 
@@ -235,10 +252,11 @@ fn a_search_that_is_ended_keeps_its_best_and_claims_no_more() {
     let mut editor = open("house.obj");
     // It finds an order after some steps, and looks for better ones.
     let mut after = |looks: u32| {
-        let impatient = Impatient(looks.into(), false.into());
+        let impatient = Impatient::after(looks);
         let search = editor.fix_search(&app()).unwrap();
         let found = search.avoid_collisions(&app(), &settings(json!({})), &impatient).unwrap();
-        assert!(impatient.1.get(), "it says how far it is");
+        assert!(impatient.told_how_far.get(), "it says how far it is");
+        assert_eq!(impatient.best.get().map(|best| best.wires), found.found.then_some(1), "and what it has");
         found
     };
     assert!(!after(1000).ended, "it comes to an end by itself");
@@ -247,10 +265,11 @@ fn a_search_that_is_ended_keeps_its_best_and_claims_no_more() {
     assert_eq!((kept.found, best.after.collisions), (true, Some(0)));
 
     edit(&mut editor, &json!({"edit": "reversed", "reversed": true}));
-    let at_once = Impatient(0.into(), false.into());
+    let at_once = Impatient::after(0);
     let search = editor.fix_search(&app()).unwrap();
     let none = search.avoid_collisions(&app(), &settings(json!({})), &at_once).unwrap();
     assert!(none.ended && !none.found && none.helps.is_empty(), "{none:?}");
+    assert_eq!(at_once.best.get(), None);
     let now = hits(&mut editor);
     assert!(none.best.is_none_or(|best| best.after.collisions.unwrap() < now));
     let [unfound] = &none.unfound[..] else { panic!("{:?}", none.unfound) };

@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 use std::time::Instant;
 
 use wirebend_core::plan::{PlanObserver, Stage};
+use wirebend_core::search::SearchProgress;
 
-use crate::Progress;
+use crate::{BestSoFar, Progress};
 
 /// What a plan tells of itself: progress, and what each stage took.
 pub(super) struct Observed<'a> {
@@ -15,12 +16,13 @@ pub(super) struct Observed<'a> {
     last: Instant,
     searching: bool,
     trying: bool,
+    best: Option<BestSoFar>,
 }
 
 impl<'a> Observed<'a> {
     /// `took` gets the ms of each stage.
     pub fn new(progress: &'a dyn Progress, took: &'a mut BTreeMap<&'static str, f64>) -> Self {
-        Self { progress, took, last: Instant::now(), searching: false, trying: false }
+        Self { progress, took, last: Instant::now(), searching: false, trying: false, best: None }
     }
 }
 
@@ -30,9 +32,15 @@ impl PlanObserver for Observed<'_> {
         self.last = Instant::now();
     }
 
-    fn searching(&mut self, checks: u64, of: u64) -> bool {
+    fn searching(&mut self, SearchProgress { checks, best }: SearchProgress, of: u64) -> bool {
         if !std::mem::replace(&mut self.searching, true) {
             self.progress.search("searching for a program without collisions");
+        }
+        // That of the part before is settled.
+        let best = best.map(BestSoFar::from);
+        if best != self.best {
+            self.best = best;
+            self.progress.best(best);
         }
         self.progress.advance(checks, of);
         self.progress.goes_on()

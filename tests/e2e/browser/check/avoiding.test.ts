@@ -89,6 +89,7 @@ it("says how far it is, and ends with the best until then", async () => {
   await animate()
     .getByText(/^[1-9].* of at most 4\D*000\D*000\D*000 steps checked$/)
     .waitFor();
+  await animate().getByText("No program without a collision found so far.").waitFor();
   await editor.isClean("avoid-underway");
   await button("Stop").click();
   await animate()

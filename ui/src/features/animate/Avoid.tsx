@@ -15,7 +15,7 @@ import {
 } from "../../state/design/fixes/avoiding";
 import { FixList } from "../check/FixList";
 import { showPlaces } from "../check/places";
-import { cutsOf, inVainOf, obstacleOf, reachOf } from "../check/search_texts";
+import { bestSoFar, cutsOf, inVainOf, obstacleOf, reachOf } from "../check/search_texts";
 import { metOf } from "../check/totals";
 import { SearchSettings } from "./SearchSettings";
 
@@ -39,10 +39,11 @@ export function Avoid() {
   );
 }
 
-/** How far the search is, and a way to end it. */
+/** How far the search is, what it would end with now, and a way to end it. */
 function Underway({ ending }: { readonly ending: boolean }) {
   const work = useWork(({ works }) => works.get("avoid-collisions"));
   const stage = work?.stage ? `${sentence(work.stage)}…` : "Searching…";
+  const unit = useUnit();
   const far = work && work.of > 0 ? `${number(work.done, 0)} of at most ${number(work.of, 0)} steps checked` : "";
   return (
     <section className="stack" aria-label="Search for an order of the bends">
@@ -59,6 +60,7 @@ function Underway({ ending }: { readonly ending: boolean }) {
         </Button>
         <span className="muted small">{far}</span>
       </div>
+      <p className="two-lines small">{bestSoFar(work?.best ?? null, unit)}</p>
     </section>
   );
 }

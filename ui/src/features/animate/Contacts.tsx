@@ -75,5 +75,5 @@ function Nothing() {
     : stands === "running" || stands === "waiting"
       ? "Checking for collisions…"
       : "Collisions are not checked.";
-  return <p className="animate-nothing muted small">{text}</p>;
+  return <p className="two-lines muted small">{text}</p>;
 }

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { DiagnosticReport } from "../../generated/responses";
-import { obstacleOf } from "./search_texts";
+import { bestSoFar, obstacleOf } from "./search_texts";
 
 const unfound = (obstacle: string | null, clearance_mm: number) =>
   ({ vertex: 4, body: "nozzle", search: { obstacle, clearance_mm } }) as unknown as DiagnosticReport;
@@ -14,4 +14,12 @@ it("says that something would be hit only where nothing has to be stayed away fr
   );
   expect(obstacleOf(unfound("head-limit", 12), "mm")).toBe("At vertex 4 the head cannot turn far enough");
   expect(obstacleOf(unfound(null, 12), "mm")).toBeNull();
+});
+
+it("says what a search would end with now", () => {
+  expect(bestSoFar(null, "mm")).toBe("No program without a collision found so far.");
+  expect(bestSoFar({ wires: 1, doubled_mm: 0 }, "mm")).toBe("Found so far: 1 wire without a collision.");
+  expect(bestSoFar({ wires: 2, doubled_mm: 24 }, "mm")).toBe(
+    "Found so far: 2 wires without a collision, 24.0 mm doubled.",
+  );
 });

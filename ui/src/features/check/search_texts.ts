@@ -1,7 +1,7 @@
 /** The words for what came of a search for an order of the bends that hits nothing. */
 
-import type { DiagnosticReport, HelpReport, UnfoundReport } from "../../generated/responses";
-import { type DisplayUnit, length, number } from "../../shared/figures/format";
+import type { BestSoFar, DiagnosticReport, HelpReport, UnfoundReport } from "../../generated/responses";
+import { count, type DisplayUnit, length, number } from "../../shared/figures/format";
 
 /** What was in the way where the search came farthest: "At vertex 1 the wire would hit the nozzle". */
 export function obstacleOf({ vertex, body, search }: DiagnosticReport, unit: DisplayUnit): string | null {
@@ -16,6 +16,13 @@ export function obstacleOf({ vertex, body, search }: DiagnosticReport, unit: Dis
   };
   const place = vertex === undefined || vertex === null ? "There" : `At vertex ${vertex}`;
   return `${place} ${what[search.obstacle]}`;
+}
+
+/** What a search would end with now: "Found so far: 2 wires without a collision, 24.0 mm doubled." */
+export function bestSoFar(best: BestSoFar | null, unit: DisplayUnit): string {
+  if (!best) return "No program without a collision found so far.";
+  const doubled = best.doubled_mm > 0 ? `, ${length(best.doubled_mm, unit)} doubled` : "";
+  return `Found so far: ${count(best.wires, "wire")} without a collision${doubled}.`;
 }
 
 /** How far the search came, and how much of all it has tried. */
