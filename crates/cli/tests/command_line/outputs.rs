@@ -30,6 +30,37 @@ fn a_file_that_is_there_is_replaced_only_on_request() {
     assert_eq!(left.len(), 1, "nothing is left beside it: {left:?}");
 }
 
+/// Whoever opens a PDF under the name of a page of the web is told that it is damaged.
+#[test]
+fn a_name_with_the_end_of_another_kind_of_file_is_noted() {
+    let folder = tempfile::tempdir().unwrap();
+    let cube = example("cube-8-edges.obj");
+    let noted = |machine: &str, format: &str, name: &str| {
+        let export = ["export", &cube, "-m", machine, "-f", format, "-o", name, "--json"];
+        let made = run_in(folder.path(), &export, b"").ended(0).json();
+        let notes = made["notes"].as_array().unwrap().iter();
+        let misnamed: Vec<String> =
+            notes.filter(|note| note["code"] == "misnamed").map(|note| note["message"].to_string()).collect();
+        assert!(folder.path().join(name).exists(), "it is what was asked for");
+        misnamed
+    };
+    let said = noted("wirebend-kit", "job-sheet", "sheet.html");
+    assert_eq!(
+        said,
+        [r#""the name ends in .html, and what is written is 'job-sheet', whose names end in .pdf""#]
+    );
+    assert_eq!(noted("grbl-bender", "gcode", "program.svg").len(), 1);
+    for (machine, format, name) in [
+        ("wirebend-kit", "job-sheet", "sheet.PDF"),
+        ("wirebend-kit", "job-sheet", "sheet"),
+        ("wirebend-kit", "gltf", "model.glb"),
+        ("grbl-bender", "gcode", "program.tap"),
+        ("table-bender", "lra-csv", "table.csv"),
+    ] {
+        assert!(noted(machine, format, name).is_empty(), "{name}");
+    }
+}
+
 #[test]
 fn a_folder_that_is_not_there_is_said() {
     let folder = tempfile::tempdir().unwrap();

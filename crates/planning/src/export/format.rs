@@ -150,6 +150,14 @@ impl Chosen {
         }
     }
 
+    /// How the names of its files end, the usual one first.
+    pub fn extensions(&self) -> Vec<&str> {
+        match self {
+            Self::BuiltIn(format) => vec![format.extension()],
+            Self::Driver(_, format) => format.extensions.iter().map(String::as_str).collect(),
+        }
+    }
+
     /// Whether a machine runs it: then it is not written for a design that cannot be made.
     pub fn is_program(&self) -> bool {
         match self {

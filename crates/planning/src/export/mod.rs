@@ -96,6 +96,7 @@ pub fn export(
     if chosen.is_program() || chosen.is_of_design() {
         content.notes.extend(pauses_not_carried(&content, chosen.id()));
     }
+    content.notes.extend(request.output.as_ref().and_then(|output| misnamed(&output.path, &chosen)));
     let (format, driver) = (chosen.id().to_owned(), chosen.driver_id().map(str::to_owned));
     let contents = match chosen {
         Chosen::BuiltIn(format) => {
@@ -126,6 +127,25 @@ pub fn export(
         notes: content.notes,
         contents: if files.is_empty() { contents } else { Vec::new() },
         files,
+    })
+}
+
+/// A name whose end is that of another kind of file: whoever opens it is told that it is damaged. What programs of machines are called is
+/// up to the person.
+fn misnamed(path: &Path, chosen: &Chosen) -> Option<NoteReport> {
+    let named = path.extension()?.to_str()?.to_lowercase();
+    let usual = chosen.extensions();
+    let is_of_another = ExportFormat::ALL.iter().any(|format| format.extension() == named);
+    let is_wrong = !usual.contains(&named.as_str()) && (is_of_another || !chosen.is_program());
+    is_wrong.then(|| NoteReport {
+        code: "misnamed".into(),
+        count: 1,
+        message: format!(
+            "the name ends in .{named}, and what is written is '{}', whose names end in .{}",
+            chosen.id(),
+            usual.join(" or .")
+        ),
+        remedies: Vec::new(),
     })
 }
 
