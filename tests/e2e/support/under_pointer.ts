@@ -16,7 +16,7 @@ export type Watched = typeof globalThis & { wirebendPointer?: PointerWatch };
  * Runs in the page, before a person does anything. An action is a move of the pointer onto something else, a press of its button, a key, or a new value
  * of a field. At each the boxes are kept, before the page hears of it, of
  *
- * - the control that the pointer is on, or, where it is on none, of what else it is on;
+ * - the control that the pointer is on, or, where it is on none, of what else it is on, and between two things of the lower one;
  * - the controls that come within `NEAR` of the pointer and can be clicked on there.
  *
  * From then on, and until the next action, each of them that is still shown has to be where it was, on each side to 1 px; of what is no control
@@ -97,9 +97,10 @@ export function watchPointer(tell: string): void {
     if (!at) return;
     const { x, y } = at;
     const hit = document.elementFromPoint(x, y);
-    // A picture is one thing: what it shows may turn.
-    const under = hit?.closest("svg") ?? hit;
-    if (!under || under === document.documentElement || under === document.body) return;
+    // A picture is one thing: what it shows may turn. Between two things it is the lower one that the pointer is at.
+    const beside = hit && [...hit.children].find((child) => child.getBoundingClientRect().bottom > y);
+    const under = hit?.closest("svg") ?? (hit?.closest(CONTROLS) ? hit : (beside ?? hit));
+    if (!hit || !under || hit === document.documentElement || hit === document.body) return;
     const control = under.closest(CONTROLS);
     const near = [...document.querySelectorAll(CONTROLS)].filter((element) => {
       if (element.contains(under)) return false;

@@ -4,12 +4,12 @@ import { type RefObject, useEffect } from "react";
  * What is held, of what the pointer is on: the first that is still there. A row stays where one of its buttons becomes another. What has a scroll of
  * its own stands before what the pointer itself is on, which that scroll moves.
  */
-const HELD: readonly ((on: Element) => Element | null)[] = [
+const HELD: readonly ((on: Element, y: number) => Element | null | undefined)[] = [
   (on) => on.closest("button, input, select, textarea, label, summary"),
   (on) => on.closest(".row"),
   (on) => on.closest("[role=listbox], [role=list], [role=table], [role=log], ul, table, fieldset"),
-  // A picture is one thing: what it shows may turn.
-  (on) => on.closest("svg") ?? on,
+  // A picture is one thing: what it shows may turn. Between two things the lower one is held.
+  (on, y) => on.closest("svg") ?? [...on.children].find((child) => child.getBoundingClientRect().bottom > y) ?? on,
   (on) => on.closest(".fold"),
   (on) => on.closest(".part"),
   (on) => on.closest(".section"),
@@ -75,13 +75,14 @@ export function useSteady(box: RefObject<HTMLElement | null>, parts: string): vo
     for (const part of scrolled.querySelectorAll(parts)) observer.observe(part);
     const stop = new AbortController();
     const { signal } = stop;
-    const point = ({ target }: Event) => {
+    const point = ({ target, clientY }: PointerEvent) => {
       // What has grown may come under a pointer that rests, before its growth is reported: that is taken back, since the user has not
       // pointed at it.
       const grown = scrolled.scrollTop === scroll || scrolled.scrollHeight !== height;
       if (grown && hold()) return;
-      const around = target instanceof Element ? HELD.map((kind) => kind(target)) : [];
-      under = around.filter((element) => element !== null).map((element) => ({ element, top: 0 }));
+      const on = target instanceof Element && target !== scrolled ? target : null;
+      const around = on ? HELD.map((kind) => kind(on, clientY)) : [];
+      under = around.filter((element) => element instanceof Element).map((element) => ({ element, top: 0 }));
       look();
     };
     scrolled.addEventListener("pointerover", point, { signal });
