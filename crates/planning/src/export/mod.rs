@@ -96,7 +96,8 @@ pub fn export(
     if chosen.is_program() || chosen.is_of_design() {
         content.notes.extend(pauses_not_carried(&content, chosen.id()));
     }
-    content.notes.extend(request.output.as_ref().and_then(|output| misnamed(&output.path, &chosen)));
+    // It is of the file, and not of what is in it.
+    let misnamed = request.output.as_ref().and_then(|output| misnamed(&output.path, &chosen));
     let (format, driver) = (chosen.id().to_owned(), chosen.driver_id().map(str::to_owned));
     let contents = match chosen {
         Chosen::BuiltIn(format) => {
@@ -124,7 +125,7 @@ pub fn export(
         driver,
         wires: content.wires.len(),
         feasible: content.feasible,
-        notes: content.notes,
+        notes: content.notes.into_iter().chain(misnamed).collect(),
         contents: if files.is_empty() { contents } else { Vec::new() },
         files,
     })
