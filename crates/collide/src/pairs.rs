@@ -22,7 +22,7 @@ const FEW: usize = 8;
 
 /// All pairs of pieces that come closer than `reach`, in order of their indices; only those for which `counts` says so.
 ///
-/// No more than `most` pairs with boxes so close are looked at: where everything is within reach of everything, the time
+/// No more than `most` pairs with boxes so close are judged, and as many looked at before that is known: where everything is within reach of everything, the time
 /// would grow with the square of their number. Pairs of the first pieces are found then, and not those of the others.
 #[must_use]
 pub fn close_pairs(
@@ -38,15 +38,19 @@ pub fn close_pairs(
         grow(&mut tree, &mut order, &corners, 0);
     }
     let search = Search { corners: &corners, order: &order, tree: &tree, reach };
-    let near = search.near(most).unwrap_or_else(|| search.near_in_order(most));
-    let close = |pair: [usize; 2]| {
-        if !counts(pair) {
-            return None;
+    let mut found = Vec::new();
+    let judge = |pair: [usize; 2]| {
+        if counts(pair) {
+            let (distance, parts) = between_pieces(&pieces[pair[0]], &pieces[pair[1]]);
+            if distance < reach {
+                found.push(ClosePair { pieces: pair, distance, parts });
+            }
         }
-        let (distance, parts) = between_pieces(&pieces[pair[0]], &pieces[pair[1]]);
-        (distance < reach).then_some(ClosePair { pieces: pair, distance, parts })
     };
-    let mut found: Vec<ClosePair> = near.into_iter().filter_map(close).collect();
+    match search.near(most) {
+        Some(near) => near.into_iter().for_each(judge),
+        None => search.near_in_order(most, judge),
+    }
     found.sort_by_key(|pair| pair.pieces);
     found
 }
@@ -109,7 +113,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The pairs with boxes within reach; none where there are more than `most`.
+    /// The pairs with boxes within reach; `None` where there are more than `most`.
     fn near(&self, most: usize) -> Option<Vec<[usize; 2]>> {
         let mut found = Vec::new();
         let complete = self.near_between([0, 0], &mut |pair| {
@@ -165,25 +169,24 @@ impl Search<'_> {
         }
     }
 
-    /// So many of them, those of the first pieces.
-    fn near_in_order(&self, most: usize) -> Vec<[usize; 2]> {
-        let mut found = Vec::new();
+    /// Judges the first `most` pairs with boxes within reach, in the order of their lower pieces.
+    fn near_in_order(&self, most: usize, mut judge: impl FnMut([usize; 2])) {
+        let mut left = most;
         for index in 0..self.order.len() {
             let stopped = self.look(0, index, &mut |other| {
                 // Both pieces of a pair come to it.
-                if other > index {
-                    if found.len() == most {
-                        return ControlFlow::Break(());
-                    }
-                    found.push([index, other]);
+                if other <= index {
+                    return ControlFlow::Continue(());
                 }
+                let Some(rest) = left.checked_sub(1) else { return ControlFlow::Break(()) };
+                left = rest;
+                judge([index, other]);
                 ControlFlow::Continue(())
             });
             if stopped.is_break() {
                 break;
             }
         }
-        found
     }
 
     /// Gives each piece in a node whose box is near that of piece `index`, until told to stop.

@@ -44,7 +44,7 @@ impl Task<'_> {
     }
 }
 
-/// Where a chain and a solid meet, or come nearest.
+/// When and where a moving chain and a solid meet, or come nearest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Proximity {
     /// When, from 0 to 1.
@@ -125,8 +125,8 @@ impl First<'_> {
         let mut free = task.solid.distance(&(pose * ball.centre)) - ball.radius - task.reach;
         if free <= task.tolerance.max(ball.radius * NEAR) {
             if let Some(halves) = task.chain.halves(run) {
-                let meeting = |half: &Run| task.may_meet(*half, task.reach + task.tolerance);
-                self.now.extend(halves.into_iter().rev().filter(meeting));
+                let may_meet = |half: &Run| task.may_meet(*half, task.reach + task.tolerance);
+                self.now.extend(halves.into_iter().rev().filter(may_meet));
                 return None;
             }
             let near = clipped(task.parts, task.chain.interval(run.first))

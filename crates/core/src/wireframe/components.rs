@@ -18,21 +18,20 @@ impl Wireframe {
     /// component without edges.
     #[must_use]
     pub fn components(&self) -> Vec<Component> {
-        const NONE: usize = usize::MAX;
-        let mut component_of = vec![NONE; self.graph.node_bound()];
+        let mut component_of = vec![None; self.graph.node_bound()];
         let mut components: Vec<Component> = Vec::new();
         for &start in self.vertices.values() {
-            if component_of[start.index()] != NONE {
+            if component_of[start.index()].is_some() {
                 continue;
             }
-            component_of[start.index()] = components.len();
+            component_of[start.index()] = Some(components.len());
             let mut reached = vec![start];
             let mut next = 0;
             while let Some(&vertex) = reached.get(next) {
                 next += 1;
                 for other in self.graph.neighbors(vertex) {
-                    if component_of[other.index()] == NONE {
-                        component_of[other.index()] = components.len();
+                    if component_of[other.index()].is_none() {
+                        component_of[other.index()] = Some(components.len());
                         reached.push(other);
                     }
                 }
@@ -44,9 +43,8 @@ impl Wireframe {
         }
         for (&id, &index) in &self.edges {
             let ends = self.graph.edge_endpoints(index);
-            let component = ends.and_then(|(a, _)| components.get_mut(component_of[a.index()]));
-            if let Some(component) = component {
-                component.edges.push(id);
+            if let Some(component) = ends.and_then(|(a, _)| component_of[a.index()]) {
+                components[component].edges.push(id);
             }
         }
         components

@@ -5,13 +5,13 @@ use std::collections::HashMap;
 use crate::units::Length;
 use nalgebra::{Point3, Vector3};
 
-/// A cell of the grid is so many tolerances large: most points are near to few other cells, and not many lie in the same one however
-/// dense they are.
+/// Edge of a cell of the grid, in tolerances: a point reaches into few cells, and however dense points are, fewer than 200 that are
+/// farther than the tolerance from each other fit into one.
 const CELL: f64 = 4.0;
 
 /// Points that are farther from each other than a tolerance, in a grid of cells.
 ///
-/// However many points are put in, a cell holds no more than some hundred, so the time is linear even where a
+/// However many points are put in, a cell holds fewer than 200, so the time is linear even where a
 /// whole model is smaller than the tolerance.
 #[derive(Debug)]
 pub struct Welder {
@@ -60,6 +60,8 @@ impl Welder {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
     fn put_all(points: impl IntoIterator<Item = f64>) -> Vec<u32> {
@@ -70,6 +72,37 @@ mod tests {
     #[test]
     fn a_chain_is_not_drawn_together() {
         assert_eq!(put_all([0.0, 0.9, 1.8, -0.9, 1.0, f64::NAN]), [0, 0, 2, 0, 0, 5]);
+    }
+
+    #[test]
+    fn points_across_the_edge_of_a_cell_are_near_each_other() {
+        // The cells of a tolerance of 1 mm end at multiples of 4 mm.
+        assert_eq!(put_all([3.5, 4.5, 8.0, 7.0, 9.0]), [0, 0, 2, 2, 2]);
+        assert_eq!(put_all([3.5, 4.6, -4.0, -5.0, -5.1]), [0, 1, 2, 2, 4]);
+    }
+
+    proptest! {
+        /// Whatever the grid leaves out is farther than the tolerance.
+        #[test]
+        fn it_finds_what_a_look_at_every_point_finds(
+            points in prop::collection::vec(prop::array::uniform3(-24_i32..24), 0..60),
+            at in -1e5..1e5_f64,
+        ) {
+            // In halves of the tolerance: many are just so far from each other, at the edges of cells, too.
+            let points: Vec<Point3<f64>> = points.iter().map(|half| {
+                Point3::from(half.map(|c| f64::from(c) * 0.5 + at.round()))
+            }).collect();
+            let mut welder = Welder::new(Length::from_mm(1.0).unwrap());
+            let mut kept: Vec<(u32, Point3<f64>)> = Vec::new();
+            for (index, &point) in (0..).zip(&points) {
+                let near = kept.iter().find(|(_, other)| (other - point).norm() <= 1.0);
+                let wanted = near.map_or(index, |&(first, _)| first);
+                if wanted == index {
+                    kept.push((index, point));
+                }
+                prop_assert_eq!(welder.put(index, point), wanted);
+            }
+        }
     }
 
     #[test]

@@ -168,7 +168,11 @@ impl Layout {
         let short = usize::from(self.lengths[edges[1]] < self.lengths[edges[0]]);
         let (edge, long) = (edges[short], edges[1 - short]);
         let end = usize::from(self.ends[edge][0] == shared);
-        // Most are far from it: that is seen with less.
+        if self.lengths[edge] <= JOINED * diameter {
+            return None;
+        }
+        // Most are behind the common vertex, or farther aside than half a diameter: that is seen with less. Twice its square leaves room
+        // for what is rounded.
         let [from, to] = [self.pieces[edge][1 - end], self.pieces[edge][end]];
         let far = usize::from(self.ends[long][0] == shared);
         let along = (to - from).dot(&(self.pieces[long][far] - from)) / self.lengths[long];
@@ -179,8 +183,7 @@ impl Layout {
         let (distance, [_, part]) = between_pieces(&[self.pieces[edge][end]; 2], &self.pieces[long]);
         let mut parts = [part; 2];
         parts[short] = if end == 0 { 0.0 } else { 1.0 };
-        let counts = distance < diameter / 2.0 && self.lengths[edge] > JOINED * diameter;
-        counts.then_some(Close { edges, distance, parts })
+        (distance < diameter / 2.0).then_some(Close { edges, distance, parts })
     }
 
     /// How close two edges come once both are shortened by what a walk joins: by half of what it falls short.
