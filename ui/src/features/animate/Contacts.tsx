@@ -1,5 +1,4 @@
 import { Checkbox } from "../../shared/controls/inputs";
-import { count } from "../../shared/figures/format";
 import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { useCollisions } from "../../state/design/collisions";
@@ -10,7 +9,7 @@ import { usePlayback } from "../../state/program/program";
 import { estimatesOf } from "../check/texts";
 import { Avoid } from "./Avoid";
 import { CollisionSettings } from "./CollisionSettings";
-import { depthOf, hitOf } from "./hits";
+import { depthOf, elsewhereOf, hitOf } from "./hits";
 
 /** The wire as made lies elsewhere by what is said above. */
 const OF_DESIGNED = "Collisions are those of the wire as designed. The wire as made may hit elsewhere.";
@@ -20,6 +19,7 @@ export function Contacts() {
   const { contacts, elsewhere } = useContacts();
   const stops = useStops(({ on }) => on);
   const shown = usePlayback((playback) => playback.shown);
+  const others = elsewhereOf(elsewhere);
   const hit = contacts.some(({ depth_mm }) => depth_mm >= 0);
   return (
     <div className="stack">
@@ -33,11 +33,11 @@ export function Contacts() {
           ))}
         </ul>
       )}
-      {hit ? <Estimates /> : <Nothing />}
+      {hit ? <Estimates /> : <Nothing others={elsewhere.hits > 0} />}
       <CollisionSettings />
       {shown !== "designed" && <p className="muted small">{OF_DESIGNED}</p>}
-      {contacts.length + elsewhere > 0 && <Avoid />}
-      {elsewhere > 0 && <p className="muted small">{count(elsewhere, "collision")} of other wires</p>}
+      {(contacts.length > 0 || others) && <Avoid />}
+      {others && <p className="muted small">{others}</p>}
     </div>
   );
 }
@@ -66,12 +66,14 @@ function Estimates() {
   return text ? <p className="muted small">{text}</p> : null;
 }
 
-/** Why there are none. */
-function Nothing() {
+/** Why there are none. `others`: other wires have some. */
+function Nothing({ others }: { readonly others: boolean }) {
   const { stands } = useCollisions();
   const found = useDesign(({ collisions }) => collisions?.found);
   const text = found?.checked
-    ? ["No collision found.", estimatesOf(found)].filter(Boolean).join(" ")
+    ? [others ? "No collision of this wire found." : "No collision found.", estimatesOf(found)]
+        .filter(Boolean)
+        .join(" ")
     : stands === "running" || stands === "waiting"
       ? "Checking for collisions…"
       : "Collisions are not checked.";

@@ -2,6 +2,7 @@
 
 import type { ContactReport } from "../../generated/responses";
 import { count, type DisplayUnit, meetingText } from "../../shared/figures/format";
+import type { Met } from "../../state/program/contacts";
 
 type Hit = Pick<ContactReport, "step" | "body" | "finding" | "depth_mm">;
 
@@ -10,6 +11,15 @@ export function hitOf({ step, body, finding, depth_mm }: Hit): string {
   const hits = depth_mm < 0 ? "comes near" : "hits";
   if (body === null) return `Step ${step + 1}: the wire ${hits} itself`;
   return `Step ${step + 1} ${hits} the ${finding.body ?? "machine"}`;
+}
+
+/** "2 collisions and 1 place nearer than the clearance, of other wires"; null where they have none. */
+export function elsewhereOf({ hits, near }: Met): string | null {
+  const all = [
+    hits > 0 ? count(hits, "collision") : null,
+    near > 0 ? `${count(near, "place")} nearer than the clearance` : null,
+  ].filter(Boolean);
+  return all.length > 0 ? `${all.join(" and ")}, of other wires` : null;
 }
 
 /** "2.1 mm deep, in 3 more steps; estimate", "within 0.4 mm". */

@@ -46,15 +46,22 @@ const contactsNow = (): readonly PlayedContact[] => {
   return ofProgram(isUpToDate()).filter((contact) => contact.wire === wire);
 };
 
-/** The same for what is drawn anew when they change: of the wire that is shown, and how many times the others hit something. */
-export function useContacts(): { readonly contacts: readonly PlayedContact[]; readonly elsewhere: number } {
+/** How often wires hit something, and how often they only come nearer than the clearance. */
+export interface Met {
+  readonly hits: number;
+  readonly near: number;
+}
+
+/** The same for what is drawn anew when they change: of the wire that is shown, and how many the others have. */
+export function useContacts(): { readonly contacts: readonly PlayedContact[]; readonly elsewhere: Met } {
   useDesign(({ collisions }) => collisions);
   useDesign(({ version }) => version);
   useRunFile();
   const wire = useProgram((program) => program.wire);
   const all = ofProgram(!useStale());
   const contacts = all.filter((contact) => contact.wire === wire);
-  return { contacts, elsewhere: hitsOf(all).length - hitsOf(contacts).length };
+  const hits = hitsOf(all).length - hitsOf(contacts).length;
+  return { contacts, elsewhere: { hits, near: all.length - contacts.length - hits } };
 }
 
 /** Those at which something is hit: others only come nearer than the clearance. */
