@@ -53,6 +53,11 @@ fn main() -> Result<()> {
         criterion_p95_ms(&root, "live-check/sheet-10000-edges")?,
         50.0,
     );
+    row(
+        "the same with bends that no route avoids",
+        criterion_p95_ms(&root, "live-check/spikes-10000-edges")?,
+        50.0,
+    );
 
     row(
         "live check of 200 edges for collisions, 95 of 100 within",
