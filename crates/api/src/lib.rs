@@ -91,7 +91,7 @@ pub use wirebend_planning::profiles::share::{
 pub use wirebend_planning::profiles::springback::{SamplePlace, SpringbackReport, SpringbackSample};
 pub use wirebend_planning::profiles::torque::{BendTorqueReport, WireTorqueReport};
 pub use wirebend_planning::program::ProgramKind;
-pub use wirebend_planning::progress::{BestSoFar, NoProgress, Progress};
+pub use wirebend_planning::progress::{BestSoFar, FoundSoFar, NoProgress, Progress};
 pub use wirebend_planning::report::{
     CompensatedReport, DiagnosticCode, DiagnosticReport, JobStep, NoteReport, PartOfStep, PlanReport,
     ProgramReport, RemedyReport, RouteReport, SHOWN_AS_ZERO, SearchReport, SearchWeights, SeverityName,

@@ -1,18 +1,18 @@
 //! A person at a terminal: they read what happens, and are asked before anything moves.
 
-use std::cell::{Cell, RefCell};
+use std::cell::Cell;
 use std::io::{BufRead, IsTerminal, Write};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
 use wirebend_api::{
-    BestSoFar, Cancellation, Decision, Doubt, MachineEvent, NoProgress, Observer, OrderName, PartOfStep,
+    Cancellation, Decision, Doubt, FoundSoFar, MachineEvent, NoProgress, Observer, OrderName, PartOfStep,
     Phase, Progress, Prompt, SHOWN_AS_ZERO, SeverityName, Snapshot, StopHandle, Wish,
 };
 
 use crate::number::number;
 use crate::progress::Bar;
-use crate::render::number::{count, mm};
+use crate::render::plan::found_so_far;
 use crate::{keyboard, render, stop};
 
 /// How often a question looks whether Ctrl-C was pressed.
@@ -31,8 +31,6 @@ pub(crate) struct Terminal {
     hinted: Cell<bool>,
     /// Whether a question is on the screen: the bar waits.
     asks: Cell<bool>,
-    /// What is searched.
-    search: RefCell<String>,
 }
 
 impl Terminal {
@@ -45,7 +43,6 @@ impl Terminal {
             wished: Cell::new(None),
             hinted: Cell::new(false),
             asks: Cell::new(false),
-            search: RefCell::default(),
         }
     }
 
@@ -188,21 +185,13 @@ impl Progress for Terminal {
 
     fn search(&self, name: &str) {
         stop::search(true);
-        name.clone_into(&mut self.search.borrow_mut());
-        self.best(None);
+        self.shown().stage(&format!("{name} (Ctrl-C takes the best so far)"));
     }
 
-    fn best(&self, best: Option<BestSoFar>) {
-        let name = self.search.borrow();
-        self.shown().stage(&match best {
-            None => format!("{name} (Ctrl-C takes the best so far)"),
-            Some(BestSoFar { wires, doubled_mm }) => {
-                let doubled =
-                    if doubled_mm > 0.0 { format!(", {} mm doubled", mm(doubled_mm)) } else { String::new() };
-                let wires = count(wires, "wire", "wires");
-                format!("found {wires}{doubled}, looking for better (Ctrl-C takes it)")
-            }
-        });
+    fn found(&self, found: FoundSoFar) {
+        if let Some(text) = found_so_far(&found) {
+            self.shown().stage(&text);
+        }
     }
 
     fn goes_on(&self) -> bool {

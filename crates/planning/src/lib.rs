@@ -51,6 +51,6 @@ pub use error::{DriverProblem, ErrorKind, PlanningError, StencilFileError};
 pub use export::ExportFormat;
 pub use installation::{DriverFolders, Installation};
 pub use output::Output;
-pub use progress::{BestSoFar, NoProgress, Progress};
+pub use progress::{BestSoFar, FoundSoFar, NoProgress, Progress};
 pub use report::{DiagnosticReport, JobStep, NoteReport, PartOfStep, PlanReport, shown_deg};
 pub use stage::StageName;

@@ -4,18 +4,29 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_core::search;
 
-/// The best program without collisions that a search has found for a part of the design until now.
+/// What a search for programs without collisions has found until now, for the part of the design that it searches.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct FoundSoFar {
+    /// Which part it is, from 1.
+    pub part: usize,
+    /// How many parts the design has.
+    pub parts: usize,
+    /// The best program; null where none without collisions is found.
+    pub best: Option<BestSoFar>,
+}
+
+/// A program for a part of the design.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct BestSoFar {
     /// How many wires it has.
     pub wires: usize,
-    /// What they run along twice, mm.
+    /// The length of the edges that the wires run along again, mm.
     pub doubled_mm: f64,
 }
 
 impl From<search::BestSoFar> for BestSoFar {
-    fn from(search::BestSoFar { wires, added }: search::BestSoFar) -> Self {
-        Self { wires, doubled_mm: added.mm() }
+    fn from(search::BestSoFar { wires, doubled }: search::BestSoFar) -> Self {
+        Self { wires, doubled_mm: doubled.mm() }
     }
 }
 
@@ -29,8 +40,9 @@ pub trait Progress {
     fn search(&self, name: &str) {
         self.stage(name);
     }
-    /// What the search would end with, where that is free of collisions, has changed: another part has none yet.
-    fn best(&self, _best: Option<BestSoFar>) {}
+    /// A search for programs without collisions has begun with a part, or has found a better one for it. What it says is over when
+    /// another stage or search begins.
+    fn found(&self, _found: FoundSoFar) {}
     /// Whether a search goes on; else it ends with the best that it has.
     fn goes_on(&self) -> bool {
         true

@@ -6676,13 +6676,13 @@ export interface Work {
    */
   ask: string;
   /**
-   * What a search for a program without collisions would end with now; null where it has found none.
-   */
-  best: BestSoFar | null;
-  /**
    * So many things are done.
    */
   done: number;
+  /**
+   * What a search for programs without collisions has found; null where none goes on.
+   */
+  found: FoundSoFar | null;
   /**
    * Of so many; 0 where that is not known.
    */
@@ -6693,11 +6693,28 @@ export interface Work {
   stage: string;
 }
 /**
- * The best program without collisions that a search has found for a part of the design until now.
+ * What a search for programs without collisions has found until now, for the part of the design that it searches.
+ */
+export interface FoundSoFar {
+  /**
+   * The best program; null where none without collisions is found.
+   */
+  best: BestSoFar | null;
+  /**
+   * Which part it is, from 1.
+   */
+  part: number;
+  /**
+   * How many parts the design has.
+   */
+  parts: number;
+}
+/**
+ * A program for a part of the design.
  */
 export interface BestSoFar {
   /**
-   * What they run along twice, mm.
+   * The length of the edges that the wires run along again, mm.
    */
   doubled_mm: number;
   /**

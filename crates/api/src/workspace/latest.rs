@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use wirebend_planning::report::DiagnosticCode;
 
-use crate::{BestSoFar, Progress};
+use crate::{FoundSoFar, Progress};
 
 /// From one report to the next.
 const BETWEEN: Duration = Duration::from_millis(100);
@@ -56,8 +56,8 @@ impl Progress for Search<'_> {
         }
     }
 
-    fn best(&self, best: Option<BestSoFar>) {
-        self.progress.best(best);
+    fn found(&self, found: FoundSoFar) {
+        self.progress.found(found);
     }
 
     fn goes_on(&self) -> bool {

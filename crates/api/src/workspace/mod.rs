@@ -35,7 +35,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_files::document::DocumentError;
 
-use crate::{ApiError, BestSoFar, Editor, Installation, Operator, OperatorEvent, Places};
+use crate::{ApiError, Editor, FoundSoFar, Installation, Operator, OperatorEvent, Places};
 pub use about::{AboutRequest, AboutResponse};
 pub use calibrations::ApplyCalibration;
 pub use collisions::{
@@ -107,8 +107,8 @@ pub struct Work {
     pub done: u64,
     /// Of so many; 0 where that is not known.
     pub of: u64,
-    /// What a search for a program without collisions would end with now; null where it has found none.
-    pub best: Option<BestSoFar>,
+    /// What a search for programs without collisions has found; null where none goes on.
+    pub found: Option<FoundSoFar>,
 }
 
 /// What a window works with.

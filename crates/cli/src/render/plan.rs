@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::io::Write;
 
 use wirebend_api::{
-    CheckResponse, DiagnosticCode, DiagnosticReport, PlanReport, PlanResponse, SearchReport, SearchWeights,
-    SeverityName, WireReport,
+    BestSoFar, CheckResponse, DiagnosticCode, DiagnosticReport, FoundSoFar, PlanReport, PlanResponse,
+    SearchReport, SearchWeights, SeverityName, WireReport,
 };
 
 use super::number::{count, duration, mm};
@@ -250,4 +250,46 @@ pub(super) fn finding(
         writeln!(out, "    help: {}{by}", diagnostic.help)?;
     }
     Ok(())
+}
+
+/// What a search says of itself once it has found something, or goes on with another part; none while its name says it all.
+pub(crate) fn found_so_far(&FoundSoFar { part, parts, best }: &FoundSoFar) -> Option<String> {
+    let several = parts > 1;
+    let of_part = if several { format!("part {part} of {parts}: ") } else { String::new() };
+    // Parts that come later are not searched then.
+    let stop = if several { "Ctrl-C ends the search" } else { "Ctrl-C takes it" };
+    match best {
+        None => several.then(|| format!("{of_part}searching for a program without collisions ({stop})")),
+        Some(BestSoFar { wires, doubled_mm }) => {
+            let doubled = mm(doubled_mm);
+            let doubled = if doubled == mm(0.0) { String::new() } else { format!(", {doubled} mm doubled") };
+            let wires = count(wires, "wire", "wires");
+            Some(format!("{of_part}found {wires}{doubled}, looking for better ({stop})"))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_search_says_what_ctrl_c_takes_and_of_several_parts_that_it_ends_all() {
+        let best = |wires, doubled_mm| Some(BestSoFar { wires, doubled_mm });
+        let said = |part, parts, best| found_so_far(&FoundSoFar { part, parts, best });
+        assert_eq!(said(1, 1, None), None, "its name says it");
+        assert_eq!(
+            said(1, 1, best(2, 24.0)).unwrap(),
+            "found 2 wires, 24.0 mm doubled, looking for better (Ctrl-C takes it)"
+        );
+        assert_eq!(said(1, 1, best(1, 0.01)).unwrap(), "found 1 wire, looking for better (Ctrl-C takes it)");
+        assert_eq!(
+            said(2, 3, None).unwrap(),
+            "part 2 of 3: searching for a program without collisions (Ctrl-C ends the search)"
+        );
+        assert_eq!(
+            said(2, 3, best(1, 0.0)).unwrap(),
+            "part 2 of 3: found 1 wire, looking for better (Ctrl-C ends the search)"
+        );
+    }
 }

@@ -149,8 +149,8 @@ pub struct SearchOutcome {
 pub struct BestSoFar {
     /// How many wires.
     pub wires: usize,
-    /// What they run along twice.
-    pub added: Length,
+    /// The length of the edges that they run along again.
+    pub doubled: Length,
 }
 
 /// How far a search is.

@@ -34,7 +34,7 @@ pub(super) struct Order {
     sum: u128,
     /// How many there are.
     wires: usize,
-    /// What is doubled, µm.
+    /// The length of the edges that they run along again, µm.
     doubled: u64,
     /// What their turns and bends take.
     nanoseconds: i64,
@@ -44,7 +44,7 @@ impl Order {
     /// What of it is told while the search goes on.
     #[allow(clippy::cast_precision_loss)] // kilometres
     pub fn so_far(self) -> BestSoFar {
-        BestSoFar { wires: self.wires, added: Length::computed(self.doubled as f64 / 1000.0) }
+        BestSoFar { wires: self.wires, doubled: Length::computed(self.doubled as f64 / 1000.0) }
     }
 }
 

@@ -62,6 +62,7 @@ impl<'a> Search<'a> {
     pub fn run(&mut self, should_continue: &mut impl FnMut(u64, Option<Order>) -> bool) -> Option<Found> {
         let mut rng = ChaCha8Rng::seed_from_u64(self.options.seed);
         let mut best: Option<(Found, Order)> = None;
+        let order_of = |best: &Option<(Found, Order)>| best.as_ref().map(|(_, order)| *order);
         let mut until = self.options.effort;
         for round in 0.. {
             let spread = SPREADS[round % SPREADS.len()];
@@ -81,7 +82,7 @@ impl<'a> Search<'a> {
             let mut exhausted = self.wires == 1 && is_settled && are_all;
             for begin in begins {
                 let noise = f64::from(u32::try_from(round.min(8)).unwrap_or(8)) / 2.0;
-                let known = best.as_ref().map(|(_, order)| *order);
+                let known = order_of(&best);
                 let goes_on = &mut |checks| should_continue(checks, known);
                 let (found, all) = self.descend(&passes, (begin, noise), until, &mut rng, goes_on);
                 exhausted &= all;
@@ -94,8 +95,7 @@ impl<'a> Search<'a> {
                         best = Some((found, order));
                     }
                 }
-                let known = best.as_ref().map(|(_, order)| *order);
-                if self.checks >= until || !should_continue(self.checks, known) {
+                if self.checks >= until || !should_continue(self.checks, order_of(&best)) {
                     return best.map(|(found, _)| found);
                 }
             }

@@ -275,6 +275,28 @@ impl PlanObserver for Ended {
     }
 }
 
+/// A square with a diagonal and a path that crosses above it: its four corners are odd.
+fn crossed_square() -> Wireframe {
+    let a = 80.0;
+    let corners = [[0., 0., 0.], [a, 0., 0.], [a, a, 0.], [0., a, 0.], [a / 2., a / 2., 60.]];
+    wireframe(&corners, &[(0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 4), (4, 3)])
+}
+
+/// Notes what a search has found, and lets it go on.
+#[derive(Default)]
+struct Watched {
+    best: Vec<BestSoFar>,
+}
+
+impl PlanObserver for &mut Watched {
+    fn done(&mut self, _stage: Stage) {}
+
+    fn searching(&mut self, progress: SearchProgress, _of: u64) -> bool {
+        self.best.extend(progress.best);
+        true
+    }
+}
+
 /// Ends a search as soon as it has found something.
 #[derive(Default)]
 struct EndedByTheFirst {
@@ -309,37 +331,58 @@ fn a_search_is_repeatable_and_can_be_ended() {
 /// Whoever sees what is found so far and ends the search there gets just that.
 #[test]
 fn a_search_that_is_ended_gives_what_it_had_found_by_then() {
-    // Where two edges cross above each other at the corners of a square, one wire runs along an edge twice.
-    let a = 80.0;
-    let corners = [[0., 0., 0.], [a, 0., 0.], [a, a, 0.], [0., a, 0.], [a / 2., a / 2., 60.]];
-    let frame = wireframe(&corners, &[(0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 4), (4, 3)]);
+    let frame = crossed_square();
     let machine = machine(vec![body(MovesWith::Head, [80.0, 30.0, 30.0], [-60.0, 0.0, -25.0])]);
     let components = frame.components();
     let mut watched = EndedByTheFirst::default();
     let wires =
         plan_wires(&frame, &components[0], &machine, &options(SearchOptions::default()), &mut watched);
-    let [BestSoFar { wires: count, added }] = watched.best[..] else { panic!("{:?}", watched.best) };
+    let [BestSoFar { wires: count, doubled }] = watched.best[..] else { panic!("{:?}", watched.best) };
     let searched = wires[0].searched.unwrap();
     assert!(searched.found && searched.ended, "{searched:?}");
-    assert_eq!(wires.len(), count);
+    assert_eq!((wires.len(), count), (1, 1));
+    assert!(doubled > Length::ZERO);
     let run: Length = wires
         .iter()
         .flat_map(|wire| &wire.route.as_ref().unwrap().traversals)
         .map(|one| frame.edge_length(one.edge))
         .sum();
     let once: Length = components[0].edges.iter().map(|&edge| frame.edge_length(edge)).sum();
-    assert!((run.mm() - once.mm() - added.mm()).abs() < 1e-3, "{run} {once} {added}");
+    assert!((run.mm() - once.mm() - doubled.mm()).abs() < 1e-3, "{run} {once} {doubled}");
     assert_covers(&frame, &wires);
+}
+
+/// What is told while it goes on gets better only, also from one number of wires to the next, and is never better than what comes of it.
+#[test]
+fn what_is_found_so_far_never_gets_worse() {
+    let frame = crossed_square();
+    let machine = machine(vec![body(MovesWith::Head, [80.0, 30.0, 30.0], [-60.0, 0.0, -25.0])]);
+    let weights = |wire, doubled_mm| Objective::Weighed(Weights { wire, doubled_mm, second: 0 });
+    for (objective, wire) in [
+        (Objective::InOrder, 1e6),
+        (weights(10, 1), 10.0),
+        (weights(60, 1), 60.0),
+        (weights(1000, 1), 1000.0),
+    ] {
+        let search = SearchOptions { objective, effort: 2000, ..SearchOptions::default() };
+        let mut watched = Watched::default();
+        let wires = plan_wires(&frame, &frame.components()[0], &machine, &options(search), &mut watched);
+        #[allow(clippy::cast_precision_loss)] // a few
+        let cost = |wires: usize, doubled: Length| wires as f64 * wire + doubled.mm();
+        let told: Vec<f64> = watched.best.iter().map(|best| cost(best.wires, best.doubled)).collect();
+        assert!(!told.is_empty() && told.is_sorted_by(|one, next| next <= one), "{objective:?} {told:?}");
+        let routes = || wires.iter().flat_map(|wire| &wire.route.as_ref().unwrap().traversals);
+        let run: Length = routes().map(|one| frame.edge_length(one.edge)).sum();
+        let doubled = Length::computed(run.mm() - frame.total_length().mm());
+        let last = told.last().unwrap();
+        assert!(cost(wires.len(), doubled) <= last + 1e-3, "{objective:?} {told:?} {doubled}");
+    }
 }
 
 /// Whoever weighs a wire less than what is doubled, as where wires are tied anyway, gets two wires instead of a doubled edge.
 #[test]
 fn weights_choose_between_wires_and_doubled_edges() {
-    let a = 80.0;
-    let points = [[0., 0., 0.], [a, 0., 0.], [a, a, 0.], [0., a, 0.]];
-    // A square with a diagonal and a path that crosses above it: its four corners are odd.
-    let corners: Vec<[f64; 3]> = points.iter().copied().chain([[a / 2., a / 2., 60.]]).collect();
-    let frame = wireframe(&corners, &[(0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 4), (4, 3)]);
+    let frame = crossed_square();
     let machine = machine(Vec::new());
     let with = |objective| {
         let search = SearchOptions { objective, effort: 2000, ..SearchOptions::default() };

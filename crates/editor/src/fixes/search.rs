@@ -13,7 +13,7 @@ use wirebend_files::document::Document;
 use wirebend_planning::design::Opened;
 use wirebend_planning::machine::Setup;
 use wirebend_planning::plan::Planned;
-use wirebend_planning::{BestSoFar, Installation, PlanChoices, PlanningError, Progress};
+use wirebend_planning::{FoundSoFar, Installation, PlanChoices, PlanningError, Progress};
 
 use super::super::{ChosenWalk, EditRequest, Placed};
 use super::{Candidate, shown_mm};
@@ -57,8 +57,8 @@ impl Progress for Steps<'_> {
         }
     }
 
-    fn best(&self, best: Option<BestSoFar>) {
-        self.progress.best(best);
+    fn found(&self, found: FoundSoFar) {
+        self.progress.found(found);
     }
 
     fn goes_on(&self) -> bool {

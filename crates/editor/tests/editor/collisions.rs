@@ -1,11 +1,11 @@
 //! Collisions of the open design, looked for beside the other checks.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 use serde_json::json;
 use wirebend_editor::Moved;
 use wirebend_planning::plan::CheckRequest;
-use wirebend_planning::{BestSoFar, DesignInput, NoProgress, PlanChoices, Progress};
+use wirebend_planning::{DesignInput, FoundSoFar, NoProgress, PlanChoices, Progress};
 
 use crate::{app, edit, example, open};
 
@@ -219,7 +219,7 @@ fn a_search_without_success_comes_with_what_helps_as_edits() {
 struct Impatient {
     looks: Cell<u32>,
     told_how_far: Cell<bool>,
-    best: Cell<Option<BestSoFar>>,
+    found: RefCell<Vec<FoundSoFar>>,
 }
 
 impl Impatient {
@@ -236,8 +236,8 @@ impl Progress for Impatient {
         self.told_how_far.set(true);
     }
 
-    fn best(&self, best: Option<BestSoFar>) {
-        self.best.set(best);
+    fn found(&self, found: FoundSoFar) {
+        self.found.borrow_mut().push(found);
     }
 
     fn goes_on(&self) -> bool {
@@ -256,7 +256,9 @@ fn a_search_that_is_ended_keeps_its_best_and_claims_no_more() {
         let search = editor.fix_search(&app()).unwrap();
         let found = search.avoid_collisions(&app(), &settings(json!({})), &impatient).unwrap();
         assert!(impatient.told_how_far.get(), "it says how far it is");
-        assert_eq!(impatient.best.get().map(|best| best.wires), found.found.then_some(1), "and what it has");
+        let last = impatient.found.borrow().last().copied().expect("and what it has");
+        assert_eq!((last.part, last.parts), (1, 1));
+        assert_eq!(last.best.map(|best| best.wires), found.found.then_some(1));
         found
     };
     assert!(!after(1000).ended, "it comes to an end by itself");
@@ -269,13 +271,34 @@ fn a_search_that_is_ended_keeps_its_best_and_claims_no_more() {
     let search = editor.fix_search(&app()).unwrap();
     let none = search.avoid_collisions(&app(), &settings(json!({})), &at_once).unwrap();
     assert!(none.ended && !none.found && none.helps.is_empty(), "{none:?}");
-    assert_eq!(at_once.best.get(), None);
+    assert_eq!(at_once.found.take(), [FoundSoFar { part: 1, parts: 1, best: None }]);
     let now = hits(&mut editor);
     assert!(none.best.is_none_or(|best| best.after.collisions.unwrap() < now));
     let [unfound] = &none.unfound[..] else { panic!("{:?}", none.unfound) };
     let search = unfound.search.as_ref().unwrap();
     assert!(search.ended && search.tried.is_empty(), "{search:?}");
     assert!(unfound.message.contains("no change that could help was tried"), "{}", unfound.message);
+}
+
+/// Of several parts each is searched for itself: what was found for one is not told as that of the next.
+#[test]
+fn what_is_found_is_told_of_the_part_that_is_searched() {
+    let mut editor = open("house.obj");
+    let aside = [[1, 0, 0, 300], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]];
+    let vertices: Vec<u32> = editor.document().wireframe.vertices().map(|(id, _)| id.0).collect();
+    edit(&mut editor, &json!({"edit": "array", "vertices": vertices, "step": aside, "count": 1}));
+    let patient = Impatient::after(u32::MAX);
+    let search = editor.fix_search(&app()).unwrap();
+    assert!(search.avoid_collisions(&app(), &settings(json!({})), &patient).unwrap().found);
+    let told = patient.found.take();
+    let (first, second): (Vec<FoundSoFar>, Vec<FoundSoFar>) =
+        told.iter().copied().partition(|found| found.part == 1);
+    for of_part in [first, second] {
+        let [before, .., found] = &of_part[..] else { panic!("{told:?}") };
+        assert_eq!((before.parts, before.best), (2, None));
+        assert_eq!(found.best.map(|best| best.wires), Some(1));
+    }
+    assert!(told.is_sorted_by_key(|found| found.part), "{told:?}");
 }
 
 #[test]

@@ -197,7 +197,7 @@ impl Installation {
                 settled: if walks.is_empty() { settled.clone() } else { walks },
             };
             let mut took = BTreeMap::new();
-            let observer = Observed::new(progress, &mut took);
+            let observer = Observed::new(progress, [index + 1, bent.len()], &mut took);
             let plans = plan_wires(&document.wireframe, component, &setup.model, &options, observer);
             progress.stage("planning");
             allowance.use_up(share, plans.len());

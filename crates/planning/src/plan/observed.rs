@@ -6,7 +6,7 @@ use std::time::Instant;
 use wirebend_core::plan::{PlanObserver, Stage};
 use wirebend_core::search::SearchProgress;
 
-use crate::{BestSoFar, Progress};
+use crate::{BestSoFar, FoundSoFar, Progress};
 
 /// What a plan tells of itself: progress, and what each stage took.
 pub(super) struct Observed<'a> {
@@ -14,15 +14,21 @@ pub(super) struct Observed<'a> {
     /// ms.
     took: &'a mut BTreeMap<&'static str, f64>,
     last: Instant,
-    searching: bool,
+    /// What the search has found, once it goes on.
+    found: Option<FoundSoFar>,
+    /// Which part is planned, of how many.
+    part: [usize; 2],
     trying: bool,
-    best: Option<BestSoFar>,
 }
 
 impl<'a> Observed<'a> {
-    /// `took` gets the ms of each stage.
-    pub fn new(progress: &'a dyn Progress, took: &'a mut BTreeMap<&'static str, f64>) -> Self {
-        Self { progress, took, last: Instant::now(), searching: false, trying: false, best: None }
+    /// Of part `part[0]` from 1, of `part[1]`. `took` gets the ms of each stage.
+    pub fn new(
+        progress: &'a dyn Progress,
+        part: [usize; 2],
+        took: &'a mut BTreeMap<&'static str, f64>,
+    ) -> Self {
+        Self { progress, took, last: Instant::now(), found: None, part, trying: false }
     }
 }
 
@@ -33,14 +39,13 @@ impl PlanObserver for Observed<'_> {
     }
 
     fn searching(&mut self, SearchProgress { checks, best }: SearchProgress, of: u64) -> bool {
-        if !std::mem::replace(&mut self.searching, true) {
+        if self.found.is_none() {
             self.progress.search("searching for a program without collisions");
         }
-        // That of the part before is settled.
-        let best = best.map(BestSoFar::from);
-        if best != self.best {
-            self.best = best;
-            self.progress.best(best);
+        let [part, parts] = self.part;
+        let found = FoundSoFar { part, parts, best: best.map(BestSoFar::from) };
+        if self.found.replace(found) != Some(found) {
+            self.progress.found(found);
         }
         self.progress.advance(checks, of);
         self.progress.goes_on()

@@ -15,7 +15,7 @@ import {
 } from "../../state/design/fixes/avoiding";
 import { FixList } from "../check/FixList";
 import { showPlaces } from "../check/places";
-import { bestSoFar, cutsOf, inVainOf, obstacleOf, reachOf } from "../check/search_texts";
+import { cutsOf, foundSoFar, inVainOf, obstacleOf, reachOf } from "../check/search_texts";
 import { metOf } from "../check/totals";
 import { SearchSettings } from "./SearchSettings";
 
@@ -39,7 +39,7 @@ export function Avoid() {
   );
 }
 
-/** How far the search is, what it would end with now, and a way to end it. */
+/** How far the search is, what it has found, and a way to end it. */
 function Underway({ ending }: { readonly ending: boolean }) {
   const work = useWork(({ works }) => works.get("avoid-collisions"));
   const stage = work?.stage ? `${sentence(work.stage)}…` : "Searching…";
@@ -60,7 +60,7 @@ function Underway({ ending }: { readonly ending: boolean }) {
         </Button>
         <span className="muted small">{far}</span>
       </div>
-      <p className="two-lines small">{bestSoFar(work?.best ?? null, unit)}</p>
+      <p className="two-lines small">{work?.found && foundSoFar(work.found, unit)}</p>
     </section>
   );
 }

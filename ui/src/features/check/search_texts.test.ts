@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { DiagnosticReport } from "../../generated/responses";
-import { bestSoFar, obstacleOf } from "./search_texts";
+import { foundSoFar, obstacleOf } from "./search_texts";
 
 const unfound = (obstacle: string | null, clearance_mm: number) =>
   ({ vertex: 4, body: "nozzle", search: { obstacle, clearance_mm } }) as unknown as DiagnosticReport;
@@ -16,10 +16,17 @@ it("says that something would be hit only where nothing has to be stayed away fr
   expect(obstacleOf(unfound(null, 12), "mm")).toBeNull();
 });
 
-it("says what a search would end with now", () => {
-  expect(bestSoFar(null, "mm")).toBe("No program without a collision found so far.");
-  expect(bestSoFar({ wires: 1, doubled_mm: 0 }, "mm")).toBe("Found so far: 1 wire without a collision.");
-  expect(bestSoFar({ wires: 2, doubled_mm: 24 }, "mm")).toBe(
+it("says what a search has found, and for which part of several", () => {
+  const one = { part: 1, parts: 1 };
+  expect(foundSoFar({ ...one, best: null }, "mm")).toBe("No program without a collision found so far.");
+  const best = { wires: 1, doubled_mm: 0.01 };
+  expect(foundSoFar({ ...one, best }, "mm")).toBe("Found so far: 1 wire without a collision.");
+  expect(foundSoFar({ ...one, best: { wires: 2, doubled_mm: 24 } }, "mm")).toBe(
     "Found so far: 2 wires without a collision, 24.0 mm doubled.",
   );
+  const second = { part: 2, parts: 3 };
+  expect(foundSoFar({ ...second, best: null }, "mm")).toBe(
+    "No program without a collision found for part 2 of 3 so far.",
+  );
+  expect(foundSoFar({ ...second, best }, "inch")).toBe("Found for part 2 of 3 so far: 1 wire without a collision.");
 });

@@ -1,6 +1,6 @@
 /** The words for what came of a search for an order of the bends that hits nothing. */
 
-import type { BestSoFar, DiagnosticReport, HelpReport, UnfoundReport } from "../../generated/responses";
+import type { DiagnosticReport, FoundSoFar, HelpReport, UnfoundReport } from "../../generated/responses";
 import { count, type DisplayUnit, length, number } from "../../shared/figures/format";
 
 /** What was in the way where the search came farthest: "At vertex 1 the wire would hit the nozzle". */
@@ -18,11 +18,13 @@ export function obstacleOf({ vertex, body, search }: DiagnosticReport, unit: Dis
   return `${place} ${what[search.obstacle]}`;
 }
 
-/** What a search would end with now: "Found so far: 2 wires without a collision, 24.0 mm doubled." */
-export function bestSoFar(best: BestSoFar | null, unit: DisplayUnit): string {
-  if (!best) return "No program without a collision found so far.";
-  const doubled = best.doubled_mm > 0 ? `, ${length(best.doubled_mm, unit)} doubled` : "";
-  return `Found so far: ${count(best.wires, "wire")} without a collision${doubled}.`;
+/** What a search has found: "Found so far: 2 wires without a collision, 24.0 mm doubled." */
+export function foundSoFar({ part, parts, best }: FoundSoFar, unit: DisplayUnit): string {
+  const ofPart = parts > 1 ? ` for part ${part} of ${parts}` : "";
+  if (!best) return `No program without a collision found${ofPart} so far.`;
+  const doubled = length(best.doubled_mm, unit);
+  const more = doubled === length(0, unit) ? "" : `, ${doubled} doubled`;
+  return `Found${ofPart} so far: ${count(best.wires, "wire")} without a collision${more}.`;
 }
 
 /** How far the search came, and how much of all it has tried. */

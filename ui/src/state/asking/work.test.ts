@@ -5,7 +5,7 @@ vi.mock("../../platform", () => ({ platform }));
 
 import { asking, hearWork, useWork } from "./work";
 
-const work = (stage: string) => ({ ask: "look", stage, done: 0, of: 0, best: null });
+const work = (stage: string) => ({ ask: "look", stage, done: 0, of: 0, found: null });
 
 beforeEach(() => useWork.setState({ works: new Map() }));
 

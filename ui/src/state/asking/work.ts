@@ -27,7 +27,7 @@ function change(ask: string, to: (before: Underway | undefined) => Underway | nu
 
 /** Asks for something that may take long: what is heard of it is shown until the answer is there. */
 export async function asking<K extends AskName>(ask: K, request: Requests[K]): Promise<Responses[K]> {
-  const begin = { ask, stage: "", done: 0, of: 0, best: null, waiting: 0 };
+  const begin = { ask, stage: "", done: 0, of: 0, found: null, waiting: 0 };
   change(ask, (before = begin) => ({ ...before, waiting: before.waiting + 1 }));
   try {
     return await platform.ask(ask, request);
