@@ -1,10 +1,10 @@
 // @vitest-environment happy-dom
 import { beforeEach, describe, expect, it, vi } from "vitest";
 
-const platform = vi.hoisted(() => ({ ask: vi.fn(async () => null), stop: vi.fn(), listen: vi.fn() }));
+const platform = vi.hoisted(() => ({ ask: vi.fn(async (_: string) => null), stop: vi.fn(), listen: vi.fn() }));
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
-import { type DesignState, useDesign } from "../design/design";
+import { type DesignState, edit, useDesign } from "../design/design";
 import { useSelection } from "../design/selection";
 import { replacingDesign } from "../design/turns";
 import { usePlayback } from "../program/program";
@@ -67,6 +67,18 @@ describe("changes", () => {
     there();
     await replaced;
     expect(whyNot("delete")).toBeNull();
+  });
+});
+
+describe("undo", () => {
+  it("takes back a change that is on its way, as soon as it is made", async () => {
+    useDesign.setState({ state: { undo: null, redo: null, units: "mm" } as DesignState });
+    expect(whyNot("undo")).toBe("There is nothing to undo.");
+    const made = edit({ edit: "delete", vertices: [1], edges: [] });
+    expect(run("undo")).toBe(true);
+    await made;
+    await vi.waitFor(() => expect(platform.ask.mock.calls.map(([ask]) => ask)).toEqual(["edit", "undo"]));
+    await vi.waitFor(() => expect(whyNot("undo")).toBe("There is nothing to undo."));
   });
 });
 

@@ -3,6 +3,7 @@ import { linesOf } from "../construction/lines";
 import { redo, undo, useDesign, whyNoChange } from "../design/design";
 import * as operations from "../design/operations";
 import { connected, inverted, isEmpty, NOTHING, select, useSelection } from "../design/selection";
+import { isChanging } from "../design/turns";
 import { quit } from "../files/closing";
 import {
   isBegun,
@@ -182,11 +183,12 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
   quit: { run: () => void quit() },
   undo: change(
     () => void undo(),
-    () => (useDesign.getState().state?.undo ? null : "There is nothing to undo."),
+    // A change that is on its way can be taken back as soon as it is made.
+    () => (useDesign.getState().state?.undo || isChanging() ? null : "There is nothing to undo."),
   ),
   redo: change(
     () => void redo(),
-    () => (useDesign.getState().state?.redo ? null : "There is nothing to redo."),
+    () => (useDesign.getState().state?.redo || isChanging() ? null : "There is nothing to redo."),
   ),
   cut: change(operations.cut, wire),
   copy: { run: operations.copy, why: wire },
