@@ -73,6 +73,9 @@ export function useSteady(box: RefObject<HTMLElement | null>, parts: string): vo
     };
     const observer = new ResizeObserver(() => void hold());
     for (const part of scrolled.querySelectorAll(parts)) observer.observe(part);
+    // A click may come before what has changed is drawn, which is when sizes are reported.
+    const changes = new MutationObserver(() => void hold());
+    changes.observe(scrolled, { subtree: true, childList: true, characterData: true, attributes: true });
     const stop = new AbortController();
     const { signal } = stop;
     const point = ({ target, clientY }: PointerEvent) => {
@@ -99,6 +102,7 @@ export function useSteady(box: RefObject<HTMLElement | null>, parts: string): vo
     return () => {
       stop.abort();
       observer.disconnect();
+      changes.disconnect();
     };
   }, [box, parts]);
 }
