@@ -22,8 +22,9 @@ const FEW: usize = 8;
 
 /// All pairs of pieces that come closer than `reach`, in order of their indices; only those for which `counts` says so.
 ///
-/// No more than `most` pairs with boxes so close are judged, and as many looked at before that is known: where everything is within reach of everything, the time
-/// would grow with the square of their number. Pairs of the first pieces are found then, and not those of the others.
+/// No more than `most` pairs with boxes so close are judged, and as many looked at before that is known: where everything is within
+/// reach of everything, the time would grow with the square of their number. Pairs of the first pieces are found then, and not those
+/// of the others.
 #[must_use]
 pub fn close_pairs(
     pieces: &[[Point3<f64>; 2]],

@@ -282,10 +282,12 @@ fn crossed_square() -> Wireframe {
     wireframe(&corners, &[(0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 4), (4, 3)])
 }
 
-/// Notes what a search has found, and lets it go on.
+/// Notes what a search has found.
 #[derive(Default)]
 struct Watched {
     best: Vec<BestSoFar>,
+    /// Whether the search is ended as soon as it has found something.
+    ends: bool,
 }
 
 impl PlanObserver for &mut Watched {
@@ -293,22 +295,7 @@ impl PlanObserver for &mut Watched {
 
     fn searching(&mut self, progress: SearchProgress, _of: u64) -> bool {
         self.best.extend(progress.best);
-        true
-    }
-}
-
-/// Ends a search as soon as it has found something.
-#[derive(Default)]
-struct EndedByTheFirst {
-    best: Vec<BestSoFar>,
-}
-
-impl PlanObserver for &mut EndedByTheFirst {
-    fn done(&mut self, _stage: Stage) {}
-
-    fn searching(&mut self, progress: SearchProgress, _of: u64) -> bool {
-        self.best.extend(progress.best);
-        progress.best.is_none()
+        !self.ends || progress.best.is_none()
     }
 }
 
@@ -334,7 +321,7 @@ fn a_search_that_is_ended_gives_what_it_had_found_by_then() {
     let frame = crossed_square();
     let machine = machine(vec![body(MovesWith::Head, [80.0, 30.0, 30.0], [-60.0, 0.0, -25.0])]);
     let components = frame.components();
-    let mut watched = EndedByTheFirst::default();
+    let mut watched = Watched { ends: true, ..Watched::default() };
     let wires =
         plan_wires(&frame, &components[0], &machine, &options(SearchOptions::default()), &mut watched);
     let [BestSoFar { wires: count, doubled }] = watched.best[..] else { panic!("{:?}", watched.best) };
