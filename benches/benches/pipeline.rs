@@ -87,7 +87,7 @@ fn whole_pipeline(c: &mut Criterion) {
 }
 
 /// A sheet of triangles, some of whose cells are divided the other way, so that hundreds of vertices are odd. With spikes all edges run
-/// the same way from the tip of each, so that every route makes bends there that no machine makes.
+/// the same way from the tip of each, so that no route avoids bends past the machine's limit there.
 fn sheet(side: u32, spikes: bool) -> Wireframe {
     let mut w = Wireframe::new();
     for k in 0..side * side {
