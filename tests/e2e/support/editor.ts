@@ -139,6 +139,16 @@ export class Editor {
     return state;
   }
 
+  /**
+   * Once the wire is being bent, has it bent at so many per cent of its speed, not by the buttons of the window: a simulated machine at ten times
+   * the speed is done before a busy computer has seen what it looks for.
+   */
+  async atSpeed(percent: number): Promise<void> {
+    await until(async () => (await this.machine()).phase).toMatch(/^(making|holding)$/);
+    await this.loopback.ask("order", { request: { order: "speed", percent } });
+    await until(async () => (await this.machine()).speed_percent).toBe(percent);
+  }
+
   /** Where a vertex is, mm. */
   async vertex(id: number): Promise<readonly [number, number, number]> {
     const found = (await this.design()).vertices.find((vertex) => vertex.id === id);

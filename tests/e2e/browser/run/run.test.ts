@@ -60,14 +60,8 @@ async function arm(): Promise<void> {
   await stands("armed");
 }
 
-/** A share of the speed at which the wire is not finished before a busy computer has seen what it looks for, per cent. */
-const SLOW = 40;
-
-/** Has the wire bent at so many per cent of its speed, without its buttons. */
-async function atSpeed(percent: number): Promise<void> {
-  await editor.loopback.ask("order", { request: { order: "speed", percent } });
-  await until(async () => (await state()).speed_percent).toBe(percent);
-}
+/** Per cent: at ten times the speed the house takes half a minute then. */
+const SLOW = 20;
 
 /** How a machine stands that resumes a wire, or is done with it. */
 const GONE_ON: ReadonlySet<string> = new Set(["making", "holding", "ready"]);
@@ -194,8 +188,8 @@ it("arms with a summary, starts, shows the steps, pauses and resumes", async () 
   await connect("sim:10");
   await arm();
   await button("Start").click();
+  await editor.atSpeed(SLOW);
   await stands("making");
-  await atSpeed(SLOW);
   const shown = editor.page.locator(".timeline-step");
   // Its wire is seen while it comes out, and not only when the first step is done.
   await shown.filter({ hasText: /^bending · step 1 \/ 5 · [1-9]/ }).waitFor();
@@ -217,7 +211,7 @@ it("arms with a summary, starts, shows the steps, pauses and resumes", async () 
   const { wire, position } = await state();
   expect([wire?.made, position]).toEqual([held.wire?.made, held.position]);
   // As slow as is wanted, and no faster than its settings say.
-  await atSpeed(100);
+  await editor.atSpeed(100);
   const speed = run().getByRole("group", { name: "Speed" });
   await speed.getByRole("button", { name: "Faster" }).click();
   await editor.messages.filter({ hasText: "goes no faster than its settings say" }).waitFor();
@@ -228,7 +222,7 @@ it("arms with a summary, starts, shows the steps, pauses and resumes", async () 
   await editor.isCleanNow("run-slower");
   await speed.getByRole("button", { name: "100 %" }).click();
   await until(async () => (await state()).speed_percent).toBe(100);
-  await atSpeed(SLOW);
+  await editor.atSpeed(SLOW);
   await goingOn(async () => ((await state()).wire?.made ?? 0) > (held.wire?.made ?? 0));
 });
 
@@ -243,7 +237,7 @@ it("stops by the button, at once, and shows what is known of the wire", async ()
 
 it("resumes after a stop, is stopped once more by the key, and finishes the wire in the end", async () => {
   await goOn();
-  await atSpeed(SLOW);
+  await editor.atSpeed(SLOW);
   // Whatever has the focus: also a field.
   const field = run().getByLabel("Feed by, mm");
   const typed = await field.inputValue();
@@ -331,7 +325,7 @@ it("reports an interrupted wire after a crash, and gives it up when that is said
   await connect("sim:10");
   await arm();
   await button("Start").click();
-  await until(async () => GONE_ON.has((await state()).phase)).toBe(true);
+  await editor.atSpeed(SLOW);
   await editor.page.keyboard.press("Control+Space");
   await stands("stopped");
 
