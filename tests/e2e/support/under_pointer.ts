@@ -46,6 +46,8 @@ export function watchPointer(tell: string): void {
   const FRAMES = 2;
   /** What was opened is brought into sight within this time. */
   const SIGHT_MS = 1000;
+  /** Frames are counted for so long after an action or a change: what is drawn later is a change itself, or is seen at the looks. */
+  const SETTLE_MS = 500;
   /** px that a pressed pointer moves before it drags. */
   const DRAG = 4;
 
@@ -68,6 +70,8 @@ export function watchPointer(tell: string): void {
   let elsewhere = "";
   let since = 0;
   let drawn = { elsewhere: "", frames: 0 };
+  let counting = false;
+  let countUntil = 0;
   let telling: Promise<void> | undefined;
 
   const name = (element: Element) => {
@@ -92,6 +96,7 @@ export function watchPointer(tell: string): void {
   const keep = (what: string, opened: Element | null = null) => {
     action = what;
     opening = opened;
+    changed();
     if (opened) openedAt = performance.now();
     forget();
     if (!at) return;
@@ -151,9 +156,23 @@ export function watchPointer(tell: string): void {
   const count = () => {
     const now = found();
     drawn = { elsewhere: now, frames: now !== "" && now === drawn.elsewhere ? drawn.frames + 1 : 1 };
+    counting = now !== "" || performance.now() < countUntil;
+    if (counting) requestAnimationFrame(count);
+  };
+  /** What moves does so in consequence of an action, also by a style for hover or focus alone, a change or a scroll. */
+  const changed = () => {
+    countUntil = performance.now() + SETTLE_MS;
+    if (counting) return;
+    counting = true;
     requestAnimationFrame(count);
   };
-  requestAnimationFrame(count);
+  new MutationObserver(changed).observe(document, {
+    subtree: true,
+    childList: true,
+    characterData: true,
+    attributes: true,
+  });
+  for (const moves of ["scroll", "resize", "transitionrun", "animationstart"]) addEventListener(moves, changed, true);
 
   /** `acted`: a person does the next thing, to what they have seen. */
   const look = (acted = false) => {
