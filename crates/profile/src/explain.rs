@@ -92,7 +92,7 @@ impl Library {
         let mut values = walk.values;
         // The text of a whole profile has its keys in the order of the documentation.
         let text = to_text(&profile).unwrap_or_default();
-        values.sort_by_key(|(path, _)| line_of(&text, &words(path)).unwrap_or(usize::MAX));
+        values.sort_by_cached_key(|(path, _)| line_of(&text, &words(path)).unwrap_or(usize::MAX));
         let name = chain.iter().find_map(|layer| layer.values.get("name")?.as_str()).unwrap_or(id);
         Ok(Explained {
             name: name.to_owned(),
