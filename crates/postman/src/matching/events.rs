@@ -76,9 +76,9 @@ impl Matching {
         }
     }
 
-    /// When an odd node gets to 0; a stand-in goes below.
+    /// When an odd node gets to 0; a vertex that is on no ways goes below.
     pub(super) fn schedule_end(&mut self, node: u32) {
-        if (node as usize) < self.real || node as usize >= self.vertices {
+        if (node as usize) < self.on_ways || node as usize >= self.vertices {
             self.queue.push(Reverse((self.now + self.node(node).dual, node + id(self.vertices))));
         }
     }

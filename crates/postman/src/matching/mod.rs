@@ -73,8 +73,11 @@ pub(crate) struct Matching {
     /// Vertices first, then blossoms.
     nodes: Vec<Node>,
     vertices: usize,
-    /// From here on, vertices are stand-ins for ends of wires: their duals may be negative.
+    /// From here on, vertices are stand-ins for ends of wires.
     real: usize,
+    /// Before this, edges are ways: one through a vertex is one between its neighbours, so that no dual has to be negative.
+    /// From here on, duals may be.
+    on_ways: usize,
     sets: Vec<Set>,
     set_of: Vec<u32>,
     /// Of a vertex, without the offset of its set: the sum of its dual and of those of all blossoms around it.
@@ -152,6 +155,7 @@ impl Matching {
             nodes: (0..vertices).map(vertex).collect(),
             vertices,
             real,
+            on_ways: real,
             sets: (0..vertices).map(set).collect(),
             set_of: (0..vertices).map(id).collect(),
             radius: vec![0; vertices],
@@ -173,6 +177,11 @@ impl Matching {
         };
         matching.begin_greedily();
         matching
+    }
+
+    /// The same where edges are no ways: of a vertex those that are shorter than its reach, of any weights that are multiples of 4.
+    pub fn of_any(reach: Vec<i64>, edges: Vec<([u32; 2], i64)>) -> Self {
+        Self { on_ways: 0, ..Self::new(reach.len(), reach, edges) }
     }
 
     /// Duals as large as the edges let them be, one vertex after the other, and the tight edges that are there then.
