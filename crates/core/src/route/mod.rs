@@ -162,9 +162,9 @@ pub enum RouteError {
     TooLong,
 }
 
-/// The most edge ends at one vertex that are paired: time grows with their cube. No wire comes through
-/// one point a hundred times.
-const MAX_ENDS: usize = 200;
+/// The most edge ends at one vertex that are paired: where none of them lead on, that takes a second. No wire comes through
+/// one point so often.
+const MAX_ENDS: usize = 500;
 
 /// A route of one wire through every edge of a component, whatever the options say of several.
 ///

@@ -170,17 +170,45 @@ fn a_walk_through_vertices_is_a_route() {
     assert_eq!(Route::through(&w, &[VertexId(0), VertexId(3)]), None, "no edge joins them");
 }
 
-#[test]
-fn a_hub_with_more_edges_than_can_be_paired_is_refused() {
+/// A wheel of triangles, at whose hub so many edges meet: evenly around it, so that each has one straight on.
+fn wheel(spokes: usize) -> Wireframe {
     let rim = |k: usize| {
-        let turn = f64::from(u32::try_from(k).unwrap()) / 400.0 * std::f64::consts::TAU;
+        let part = |k: usize| f64::from(u32::try_from(k).unwrap());
+        let turn = part(k) / part(spokes) * std::f64::consts::TAU;
         [100.0 * turn.cos(), 100.0 * turn.sin(), 0.0]
     };
-    let points: Vec<_> = std::iter::once([0.0; 3]).chain((0..400).map(rim)).collect();
-    let triangles = (0..200).flat_map(|k| [(0, 2 * k + 1), (2 * k + 1, 2 * k + 2), (2 * k + 2, 0)]);
-    let w = wireframe(&points, &triangles.collect::<Vec<_>>());
+    let points: Vec<_> = std::iter::once([0.0; 3]).chain((0..spokes).map(rim)).collect();
+    let triangles = (0..spokes / 2).flat_map(|k| [(0, 2 * k + 1), (2 * k + 1, 2 * k + 2), (2 * k + 2, 0)]);
+    wireframe(&points, &triangles.collect::<Vec<_>>())
+}
+
+#[test]
+fn a_hub_with_hundreds_of_edges_is_passed_almost_straight_on() {
+    let w = wheel(400);
+    let component = &w.components()[0];
+    let found = route(&w, component, &RouteOptions::default()).unwrap();
+    assert_covers(&w, component, &found, &[]);
+    let vertices = found.vertices();
+    let position = |vertex: VertexId| w.vertex(vertex).unwrap().position;
+    let bends = vertices.windows(3).filter(|three| three[1] == VertexId(0)).map(|three| {
+        let [from, at, to] = [three[0], three[1], three[2]].map(position);
+        (at - from).angle(&(to - at)).to_degrees()
+    });
+    let bends: Vec<f64> = bends.collect();
+    // Straight on closes many trails; where they are joined, each end goes on to a neighbour of the one that is opposite.
+    let sharpest = bends.iter().copied().fold(0.0, f64::max);
+    assert!(
+        bends.len() >= 199 && sharpest < 2.0 * 360.0 / 400.0 + 1e-6,
+        "{} bends up to {sharpest}",
+        bends.len()
+    );
+}
+
+#[test]
+fn a_hub_with_more_edges_than_can_be_paired_is_refused() {
+    let w = wheel(1200);
     let refused = route(&w, &w.components()[0], &RouteOptions::default());
-    assert_eq!(refused, Err(RouteError::TooManyEnds { vertex: VertexId(0), ends: 400, max: 200 }));
+    assert_eq!(refused, Err(RouteError::TooManyEnds { vertex: VertexId(0), ends: 1200, max: 500 }));
 }
 
 /// Connected graphs with a few vertices, some edges parallel.
