@@ -59,8 +59,16 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
   const arrived = preview?.format === format.id;
   // biome-ignore lint/correctness/useExhaustiveDependencies: a preview that arrives moves it
   useEffect(() => {
-    // It may come beside what is seen of the panel, and a preview that arrives after it moves it down.
-    if (written && written !== before) void answer.current?.scrollIntoView({ block: "nearest" });
+    const last = written === before ? null : answer.current?.lastElementChild;
+    if (!last) return;
+    // It may come beside what is seen of the panel, and a preview that arrives after it moves it down. What is seen is reported when the
+    // panel has put the button back under the pointer, which leaves the end of the answer right above it.
+    const observer = new IntersectionObserver(([seen]) => {
+      observer.disconnect();
+      if (seen && seen.intersectionRatio < 0.5) last.scrollIntoView({ block: "nearest" });
+    });
+    observer.observe(last);
+    return () => observer.disconnect();
   }, [written, before, arrived]);
   return (
     <div className="stack">
