@@ -202,7 +202,9 @@ const run = () => editor.section("run");
 const inRun = (name: string) => run().getByRole("button", { name, exact: true });
 const phase = (name: string) => run().locator(`.run-phase.${name}`).waitFor();
 const order = (what: Order) => editor.loopback.ask("order", { request: what });
-/** Per cent: at ten times the speed the house takes 70 s then, in which a busy computer has looked at all buttons. */
+const interrupted = () => run().getByRole("group", { name: "Interrupted wire" });
+
+/** Per cent: a house that is bent at ten times the speed takes 70 s then, longer than a busy computer takes to look at all buttons. */
 const SLOW = 10;
 
 /** Starts the wire, and rests on the button meanwhile. */
@@ -215,7 +217,6 @@ async function starts(): Promise<void> {
   await rests("Start", start, "making", "Pause");
   await slowed;
 }
-const interrupted = () => run().getByRole("group", { name: "Interrupted wire" });
 
 async function arm(): Promise<void> {
   await inRun("Arm…").click();
