@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::checks::Diagnostic;
 use wirebend_core::wireframe::{Edit, VertexId};
 use wirebend_files::document::Document;
 
@@ -126,12 +125,9 @@ impl Editor {
 
 impl LiveCheck {
     pub(super) fn of(planned: &Planned) -> Self {
-        let of_wires = planned.wires.iter().flat_map(|wire| &wire.diagnostics);
-        let mut all: Vec<&Diagnostic> = planned.design.iter().chain(of_wires).collect();
-        all.sort_by_key(|diagnostic| diagnostic.severity);
         Self {
             feasible: planned.feasible(),
-            diagnostics: all.into_iter().map(DiagnosticReport::from).collect(),
+            diagnostics: planned.all_diagnostics().into_iter().map(DiagnosticReport::from).collect(),
             wires: planned.report().wires().iter().map(WireFigures::of).collect(),
             limits_unknown: planned.setup.driver.note.as_ref().map(|note| note.message.clone()),
         }

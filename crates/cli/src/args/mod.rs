@@ -90,8 +90,10 @@ pub(crate) enum Subcommands {
     /// Make a design from a few figures
     #[command(subcommand)]
     Generate(GenerateCommand),
-    /// Report what a machine cannot make of a wireframe, and why
-    #[command(after_help = "Example:\n  wirebend check examples/house.obj --machine wirebend-kit")]
+    /// Report what a machine, or without one any machine, cannot make of a wireframe, and why
+    #[command(
+        after_help = "Examples:\n  wirebend check examples/house.obj --machine wirebend-kit\n  wirebend check examples/house.obj"
+    )]
     Check {
         #[command(flatten)]
         design: DesignArgs,

@@ -161,18 +161,21 @@ fn objective(search: &SearchReport) -> String {
 
 pub(super) fn check(out: &mut impl Write, found: &CheckResponse) -> std::io::Result<()> {
     notes(out, &found.notes)?;
-    list(out, &found.diagnostics.iter().collect::<Vec<_>>())?;
-    let verdict = if found.feasible { "within the limits of" } else { "cannot be bent on" };
-    summary(
-        out,
-        &format!(
-            "{verdict} {} with {}{}",
-            found.machine,
-            found.material,
-            unchecked(found.feasible && !found.collisions_checked)
-        ),
-        &found.diagnostics.iter().collect::<Vec<_>>(),
-    )
+    let all: Vec<&DiagnosticReport> = found.diagnostics.iter().collect();
+    list(out, &all)?;
+    let on = match (&found.machine, &found.material) {
+        (Some(machine), Some(material)) => format!("{machine} with {material}"),
+        (Some(machine), None) => machine.clone(),
+        (None, _) => "any machine".to_owned(),
+    };
+    let verdict = match (found.feasible, &found.machine) {
+        (true, Some(_)) => {
+            format!("within the limits of {on}{}", unchecked(!found.collisions_checked))
+        }
+        (true, None) => "no error in the design".to_owned(),
+        (false, _) => format!("cannot be bent on {on}"),
+    };
+    summary(out, &verdict, &all)
 }
 
 /// Everything that the checks say of a plan, and whether it is within the machine's limits.

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 
 mod calibrations;
+mod checks;
 mod closings;
 mod collisions;
 mod compare;

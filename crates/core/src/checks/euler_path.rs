@@ -1,20 +1,31 @@
 //! Whether a wire, or as many as there may be, can run through every edge once.
 
 use super::{Diagnostic, Fact, Location, Remedy, Severity, WireStages};
+use crate::route::Doubling;
+use crate::wireframe::{Component, EdgeId, Wireframe};
 
 pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
-    let odd = wire.wireframe.odd_vertices(wire.component, wire.doubled);
-    let allowed = wire.odd_allowed;
-    if odd.len() <= allowed {
-        return;
-    }
-    found.push(Diagnostic {
+    let WireStages { wireframe, component, doubled, odd_allowed, proposal, .. } = *wire;
+    found.extend(check_odd(wireframe, component, doubled, odd_allowed, proposal));
+}
+
+/// More odd vertices than there may be in a component of which some edges are travelled twice, and how to do without them:
+/// `proposal`, or there is none.
+pub(crate) fn check_odd(
+    wireframe: &Wireframe,
+    component: &Component,
+    doubled: &[EdgeId],
+    allowed: usize,
+    proposal: Option<&Doubling>,
+) -> Option<Diagnostic> {
+    let odd = wireframe.odd_vertices(component, doubled);
+    (odd.len() > allowed).then(|| Diagnostic {
         severity: Severity::Error,
         location: Location::at_vertices(odd.iter().copied()),
         fact: Fact::NoEulerPath { odd: odd.len(), allowed },
-        remedies: match wire.proposal {
-            Some(doubling) => vec![Remedy::double(doubling, wire.wireframe, wire.component)],
+        remedies: match proposal {
+            Some(doubling) => vec![Remedy::double(doubling, wireframe, component)],
             None => vec![Remedy::FindDoubling, Remedy::ReduceOddVertices],
         },
-    });
+    })
 }

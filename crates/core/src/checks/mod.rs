@@ -28,6 +28,7 @@ mod wire_diameter;
 pub use code::Code;
 pub use design::{Design, check_crossings, check_design};
 pub use diagnostic::{Diagnostic, Location, Severity};
+pub(crate) use euler_path::check_odd;
 pub use fact::{BendOf, ClosingBend, Fact, Meeting};
 pub use limit::{Limit, LimitSource, Quantity, ReachLimit, Source, Sourced};
 pub use remedy::Remedy;

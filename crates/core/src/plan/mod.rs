@@ -26,6 +26,7 @@ use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 pub use closing::name_closing_bends;
 pub use contacts::{ContactOptions, ScheduledWire, clearance, keep_contacts};
 use routing::Routed;
+pub use routing::check_walks;
 use searching::Searching;
 pub use seen::check_given;
 use stages::Stages;
@@ -272,8 +273,9 @@ pub fn plan_wires(
     options: &PlanOptions,
     mut observer: impl PlanObserver,
 ) -> Vec<WirePlan> {
+    let max_bend = Some(routing::largest_bend(machine));
     let Routed { mut doubled, mut proposal, mut routes, forced, mut refusals } =
-        routing::find(wireframe, component, machine, options, &mut |stage| observer.done(stage));
+        routing::find(wireframe, component, max_bend, options, &mut |stage| observer.done(stage));
     let mut schedules: Vec<ScheduledProgram> = Vec::new();
     let mut searched = None;
     let search = Searching { wireframe, component, machine, options };

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::{DoublingChoice, Machine, PlanOptions, Stage};
-use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity};
+use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity, check_odd};
 use crate::route::{
     Doubling, ForcedBend, Route, RouteError, RouteOptions, Routes, StartThere, doubling, doublings,
     forced_bends, is_forced, routes,
@@ -28,11 +28,20 @@ pub(super) struct Routed {
     pub refusals: Vec<Diagnostic>,
 }
 
-/// Finds the routes of a component.
+/// Why no wires can run along a component, whichever machine bends them: what is chosen leaves too many odd vertices, or cannot be.
+#[must_use]
+pub fn check_walks(wireframe: &Wireframe, component: &Component, options: &PlanOptions) -> Vec<Diagnostic> {
+    let Routed { doubled, proposal, refusals, .. } = find(wireframe, component, None, options, &mut |_| ());
+    let proposal = Some(&proposal).filter(|proposal| !proposal.edges.is_empty());
+    let odd = check_odd(wireframe, component, &doubled, allowed(options), proposal);
+    odd.into_iter().chain(refusals).collect()
+}
+
+/// Finds the routes of a component. `max_bend`: the largest bend of the machine; none where any will do.
 pub(super) fn find(
     wireframe: &Wireframe,
     component: &Component,
-    machine: &Machine,
+    max_bend: Option<Angle>,
     options: &PlanOptions,
     done: &mut impl FnMut(Stage),
 ) -> Routed {
@@ -55,7 +64,6 @@ pub(super) fn find(
     };
     done(Stage::Doubling);
     if found.refusals.is_empty() {
-        let max_bend = Some(largest_bend(machine));
         search(wireframe, component, options, max_bend, &mut found);
     }
     done(Stage::Route);
@@ -88,7 +96,11 @@ fn search(
         // The check of odd vertices says it with the cheapest way out; where a bend is in the way of that, it is said, too.
         Err(RouteError::Odd { .. }) => {
             let proposed = RouteOptions { doubled: found.proposal.edges.clone(), ..wanted };
-            found.forced = forced_bends(wireframe, component, &proposed).unwrap_or_default();
+            match forced_bends(wireframe, component, &proposed) {
+                Ok(forced) => found.forced = forced,
+                Err(RouteError::Odd { .. }) => {}
+                Err(error) => found.refusals.push(refusal(error, None)),
+            }
             try_starts(wireframe, component, options, &proposed, found);
         }
         Err(error) => {

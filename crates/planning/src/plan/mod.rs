@@ -1,5 +1,6 @@
-//! `check` and `plan`: a design through the whole pipeline.
+//! `check` and `plan`: a design through the whole pipeline, or as far as it goes without a machine.
 
+mod check;
 mod choice;
 mod head;
 mod observed;
@@ -15,12 +16,12 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::checks::{Design, Diagnostic, check_design};
 use wirebend_core::plan::{WirePlan, name_closing_bends};
-use wirebend_core::wireframe::VertexId;
-use wirebend_error::{ErrorRemedy, InputName};
+use wirebend_core::units::Length;
+use wirebend_core::wireframe::Component;
+use wirebend_error::ErrorRemedy;
 use wirebend_files::document::{Job, JobContents, JobPause, JobStep, JobWire, ProfileSnapshot};
 
 use crate::choices::PlanChoices;
-use crate::contacts::collision_margin;
 use crate::design::{DesignInput, Opened};
 use crate::machine::Setup;
 use crate::output::Output;
@@ -28,16 +29,9 @@ use crate::pauses::{PlannedPauses, StepPause};
 use crate::report::{DiagnosticReport, NoteReport, PlanReport, WireReport};
 use crate::stage::StageName;
 use crate::{Installation, PlanningError, Progress, text};
-use choice::WireChoice;
+pub use check::{CheckRequest, CheckResponse, check};
 pub use choice::wires_of_parts;
 use parts::{Parts, PlannedParts};
-
-#[derive(Debug, Clone, Deserialize, JsonSchema)]
-pub struct CheckRequest {
-    pub design: DesignInput,
-    /// On which machine, and how.
-    pub choices: PlanChoices,
-}
 
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct PlanRequest {
@@ -55,21 +49,6 @@ pub struct PlanRequest {
     /// Whether to write a job although a check says that it cannot be made.
     #[serde(default)]
     pub despite_errors: bool,
-}
-
-/// What the checks say.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
-pub struct CheckResponse {
-    pub machine: String,
-    pub material: String,
-    /// Whether the machine can make it.
-    pub feasible: bool,
-    /// Whether it was looked at where the wire meets the machine or itself: only on request, and not without a route.
-    pub collisions_checked: bool,
-    /// What the checks say, errors first; each is of one wire or of the design.
-    pub diagnostics: Vec<DiagnosticReport>,
-    /// What was merged, ignored or assumed while reading.
-    pub notes: Vec<NoteReport>,
 }
 
 /// A planned design.
@@ -136,51 +115,20 @@ impl Installation {
         progress: &dyn Progress,
     ) -> Result<Planned, PlanningError> {
         let mut opened = opened;
-        opened.require_designed()?;
-        let settled = opened.settled(choices)?;
-        let clearance = choices.collision_margin_mm.map(collision_margin).transpose()?;
-        let chosen = WireChoice::of(&opened.document, choices)?;
+        let components = opened.document.wireframe.components();
+        let parts = Parts::of(&opened, &components, choices)?;
         setup.driver.require_settings()?;
-        opened.notes.extend(setup.driver.note.clone());
-        opened.notes.extend(estimated_springback(&setup));
-        let document = &opened.document;
-        let start = choices.start.map(VertexId).or(document.start);
-        if let Some(VertexId(vertex)) = start.filter(|&vertex| document.wireframe.vertex(vertex).is_none()) {
-            return Err(opened.no_vertex(vertex, InputName::Start));
-        }
-
-        let components = document.wireframe.components();
-        if let Some(VertexId(vertex)) = start.filter(|&vertex| document.wireframe.incident(vertex).is_empty())
-        {
-            return Err(PlanningError::StartWithoutEdge { vertex, name: opened.name });
-        }
-        let clearance = clearance.unwrap_or(document.collisions.clearance_mm);
-        let parts = Parts {
-            document,
-            components: &components,
-            setup: &setup,
-            choices,
-            chosen,
-            settled,
-            start,
-            clearance,
-        };
         let (mut design, planned) = std::thread::scope(|scope| {
             // Neither reads what the other finds: of a sheet of 10,000 edges the checks take 10 ms, the wires 25 ms and more.
-            let design = scope.spawn(|| {
-                check_design(&Design {
-                    wireframe: &document.wireframe,
-                    components: &components,
-                    weld_tolerance: crate::design::default_weld(),
-                    diameter: setup.model.wire.diameter,
-                })
-            });
-            let planned = parts.plan(progress);
+            let design = scope.spawn(|| checked_design(&opened, &components, setup.model.wire.diameter));
+            let planned = parts.plan(&setup, progress);
             if !design.is_finished() {
                 progress.stage("checking the design");
             }
             (design.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)), planned)
         });
+        opened.notes.extend(setup.driver.note.clone());
+        opened.notes.extend(estimated_springback(&setup));
         let PlannedParts { mut wires, timings, replaced } = planned;
         opened.notes.extend(replaced.notes());
         let pauses = PlannedPauses::of(&opened.document.pauses, &wires);
@@ -195,6 +143,16 @@ impl Installation {
         }
         Ok(Planned { opened, setup, components: components.len(), wires, timings, design, pauses })
     }
+}
+
+/// What is said of a design before any machine is asked, for a wire so thick.
+fn checked_design(opened: &Opened, components: &[Component], diameter: Length) -> Vec<Diagnostic> {
+    check_design(&Design {
+        wireframe: &opened.document.wireframe,
+        components,
+        weld_tolerance: crate::design::default_weld(),
+        diameter,
+    })
 }
 
 /// A springback that was not measured is worth a test piece.
@@ -290,29 +248,6 @@ pub(crate) fn job_wire(plan: &WirePlan, pauses: &[JobPause]) -> Option<JobWire> 
         clearance_mm: Some(plan.contact_options.margin.mm()).filter(|&mm| mm > 0.0),
         sag: plan.contact_options.sag,
         pauses: pauses.to_vec(),
-    })
-}
-
-pub fn check(
-    app: &Installation,
-    request: &CheckRequest,
-    progress: &dyn Progress,
-) -> Result<CheckResponse, PlanningError> {
-    let opened = app
-        .designed(request.design.open_with(app, &request.choices, progress)?, &request.choices)?
-        .with_wireframe()?;
-    let setup = app.setup_connected(app.setup_of(&opened, &request.choices)?)?;
-    let planned = Installation::plan_with(opened, setup, &request.choices, progress)?;
-    let of_wires = planned.wires.iter().flat_map(|wire| &wire.diagnostics);
-    let mut all: Vec<&Diagnostic> = planned.design.iter().chain(of_wires).collect();
-    all.sort_by_key(|diagnostic| diagnostic.severity);
-    Ok(CheckResponse {
-        collisions_checked: planned.collisions_checked(),
-        machine: planned.setup.machine_id().to_owned(),
-        material: planned.setup.material_id().to_owned(),
-        feasible: planned.feasible(),
-        diagnostics: all.into_iter().map(DiagnosticReport::from).collect(),
-        notes: planned.opened.notes,
     })
 }
 

@@ -2,31 +2,37 @@
 
 use std::collections::BTreeMap;
 
-use wirebend_core::plan::{PlanOptions, WirePlan, plan_wires};
-use wirebend_core::route::Route;
+use wirebend_core::checks::Diagnostic;
+use wirebend_core::plan::{PlanOptions, WirePlan, check_walks, plan_wires};
+use wirebend_core::route::{Route, Share};
+use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Component, VertexId};
-use wirebend_files::document::{Clearance, Document};
+use wirebend_error::InputName;
+use wirebend_files::document::Document;
 
 use super::choice::{
     Allowance, Replaced, WireChoice, chosen_walks, doubling_choice, start_in, wires_of_parts,
 };
 use super::observed::Observed;
-use crate::Progress;
 use crate::choices::PlanChoices;
+use crate::contacts::collision_margin;
+use crate::design::Opened;
 use crate::machine::Setup;
+use crate::{PlanningError, Progress};
 
 /// The parts of a design, and how their wires are planned.
 pub(super) struct Parts<'a> {
-    pub document: &'a Document,
-    /// Those without an edge, too.
-    pub components: &'a [Component],
-    pub setup: &'a Setup,
-    pub choices: &'a PlanChoices,
-    pub chosen: WireChoice,
+    document: &'a Document,
+    /// Those that have edges.
+    bent: Vec<&'a Component>,
+    /// What each of them has of the wires.
+    shares: Vec<Share>,
+    choices: &'a PlanChoices,
+    chosen: WireChoice,
     /// The walks in their order where that is kept.
-    pub settled: Vec<Route>,
-    pub start: Option<VertexId>,
-    pub clearance: Clearance,
+    settled: Vec<Route>,
+    start: Option<VertexId>,
+    clearance: Length,
 }
 
 /// What came of all parts.
@@ -34,52 +40,92 @@ pub(super) struct PlannedParts {
     pub wires: Vec<WirePlan>,
     /// ms of each stage, for each wire: the first of a part has the times of all its wires.
     pub timings: Vec<BTreeMap<&'static str, f64>>,
+    /// What was accepted and is not used.
     pub replaced: Replaced,
 }
 
-impl Parts<'_> {
-    pub(super) fn plan(&self, progress: &dyn Progress) -> PlannedParts {
-        let &Self { document, components, setup, choices, ref chosen, ref settled, start, clearance } = self;
+impl<'a> Parts<'a> {
+    /// The parts of a design that was read, where what was chosen for its wires can be. `components`: all of its parts.
+    pub(super) fn of(
+        opened: &'a Opened,
+        components: &'a [Component],
+        choices: &'a PlanChoices,
+    ) -> Result<Self, PlanningError> {
+        opened.require_designed()?;
+        let document = &opened.document;
+        let settled = opened.settled(choices)?;
+        let clearance = choices.collision_margin_mm.map(collision_margin).transpose()?;
+        let chosen = WireChoice::of(document, choices)?;
+        let start = choices.start.map(VertexId).or(document.start);
+        if let Some(VertexId(vertex)) = start.filter(|&vertex| document.wireframe.vertex(vertex).is_none()) {
+            return Err(opened.no_vertex(vertex, InputName::Start));
+        }
+        if let Some(VertexId(vertex)) = start.filter(|&vertex| document.wireframe.incident(vertex).is_empty())
+        {
+            return Err(PlanningError::StartWithoutEdge { vertex, name: opened.name.clone() });
+        }
         let bent: Vec<&Component> =
             components.iter().filter(|component| !component.edges.is_empty()).collect();
-        let mut wires = Vec::with_capacity(bent.len());
-        let mut timings = Vec::with_capacity(bent.len());
+        let shares = wires_of_parts(document, &bent, start, chosen.wires);
+        let clearance = clearance.unwrap_or(document.collisions.clearance_mm).length();
+        Ok(Self { document, bent, shares, choices, chosen, settled, start, clearance })
+    }
+
+    pub(super) fn plan(&self, setup: &Setup, progress: &dyn Progress) -> PlannedParts {
+        let mut wires = Vec::with_capacity(self.bent.len());
+        let mut timings = Vec::with_capacity(self.bent.len());
         let mut replaced = Replaced::default();
         progress.stage("planning");
-        let shares = wires_of_parts(document, &bent, start, chosen.wires);
-        let mut allowance = Allowance::of(choices, chosen, &shares);
-        for (index, component) in bent.iter().enumerate() {
-            progress.advance(index as u64, bent.len() as u64);
-            let here = start_in(component, start);
-            let share = &shares[index];
-            let walks = chosen_walks(document, component, choices, &mut replaced);
-            let doubling =
-                doubling_choice(document, component, choices, chosen, (here, share), &mut replaced);
+        let mut allowance = Allowance::of(self.choices, &self.chosen, &self.shares);
+        for (index, (component, share)) in self.bent.iter().zip(&self.shares).enumerate() {
+            progress.advance(index as u64, self.bent.len() as u64);
             let options = PlanOptions {
-                wires: share.wires,
-                doubling,
-                detours: choices.detours,
-                closed: chosen.closed,
-                start: here,
-                // Walks that were chosen have their direction.
-                reversed: chosen.reversed && walks.is_empty(),
-                contacts: choices.collisions || choices.avoid_collisions,
-                clearance: clearance.length(),
-                sag: choices.sag || document.collisions.sag,
-                search: allowance.search(choices, share),
-                clear_sides: !walks.is_empty(),
-                settled: if walks.is_empty() { settled.clone() } else { walks },
+                search: allowance.search(self.choices, share),
+                ..self.options(component, share, &mut replaced)
             };
             let mut took = BTreeMap::new();
-            let observer = Observed::new(progress, [index + 1, bent.len()], &mut took);
-            let plans = plan_wires(&document.wireframe, component, &setup.model, &options, observer);
+            let observer = Observed::new(progress, [index + 1, self.bent.len()], &mut took);
+            let plans = plan_wires(&self.document.wireframe, component, &setup.model, &options, observer);
             progress.stage("planning");
             allowance.use_up(share, plans.len());
             timings.push(took);
             timings.resize(timings.len() + plans.len() - 1, BTreeMap::new());
             wires.extend(plans);
         }
-        progress.advance(bent.len() as u64, bent.len() as u64);
+        progress.advance(self.bent.len() as u64, self.bent.len() as u64);
         PlannedParts { wires, timings, replaced }
+    }
+
+    /// What stands in the way of the wires whichever machine bends them, and what was accepted and is not used.
+    pub(super) fn check(&self) -> (Vec<Diagnostic>, Replaced) {
+        let mut replaced = Replaced::default();
+        let mut found = Vec::new();
+        for (component, share) in self.bent.iter().zip(&self.shares) {
+            let options = self.options(component, share, &mut replaced);
+            found.extend(check_walks(&self.document.wireframe, component, &options));
+        }
+        (found, replaced)
+    }
+
+    /// How the wires of a part are planned, but for a search.
+    fn options(&self, component: &Component, share: &Share, replaced: &mut Replaced) -> PlanOptions {
+        let &Self { document, choices, ref chosen, ref settled, start, clearance, .. } = self;
+        let here = start_in(component, start);
+        let walks = chosen_walks(document, component, choices, replaced);
+        PlanOptions {
+            wires: share.wires,
+            doubling: doubling_choice(document, component, choices, chosen, (here, share), replaced),
+            detours: choices.detours,
+            closed: chosen.closed,
+            start: here,
+            // Walks that were chosen have their direction.
+            reversed: chosen.reversed && walks.is_empty(),
+            contacts: choices.collisions || choices.avoid_collisions,
+            clearance,
+            sag: choices.sag || document.collisions.sag,
+            search: None,
+            clear_sides: !walks.is_empty(),
+            settled: if walks.is_empty() { settled.clone() } else { walks },
+        }
     }
 }
