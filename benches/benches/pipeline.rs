@@ -3,7 +3,7 @@
 #![allow(missing_docs)] // criterion's macros make public functions
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a benchmark may stop at what cannot be
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 use std::hint::black_box;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -11,7 +11,8 @@ use std::time::{Duration, Instant};
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
-use nalgebra::Point3;
+use integer_blossom::min_weight_perfect_matching;
+use nalgebra::{Point3, Vector3};
 use wirebend_api::{
     Command, DesignInput, EventSink, Input, Installation, NoProgress, Places, PlanChoices, PlanRequest,
     Response, WindowEvent, Workspace,
@@ -19,6 +20,7 @@ use wirebend_api::{
 use wirebend_core::route::{RouteOptions, doubling, route};
 use wirebend_core::wireframe::{Vertex, VertexId, Wireframe};
 use wirebend_files::read::{ReadOptions, read};
+use wirebend_postman::cheapest_pairs;
 
 fn example(name: &str) -> Vec<u8> {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../examples").join(name);
@@ -225,5 +227,49 @@ fn euler_path_and_doubling(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, whole_pipeline, live_check, live_collisions, euler_path_and_doubling);
+/// Costs of all pairs of edge ends at a vertex by their bends, 1000 to the square degree, and far more beyond 155°. The ends lead
+/// away from it up to `widest` from one line.
+fn costs_of_bends(ends: u32, widest: f64) -> Vec<i64> {
+    let out: Vec<Vector3<f64>> = (0..ends)
+        .map(|end| {
+            // Evenly on a sphere, or on its cap.
+            let around = f64::from(end) * TAU * 0.618_033_988_75;
+            let height = 1.0 - (f64::from(end) + 0.5) / f64::from(ends) * (1.0 - widest.cos());
+            let beside = (1.0 - height * height).sqrt();
+            Vector3::new(beside * around.cos(), beside * around.sin(), height)
+        })
+        .collect();
+    let pairs = out.iter().flat_map(|p| out.iter().map(move |q| (-p).angle(q).to_degrees()));
+    #[allow(clippy::cast_possible_truncation)] // at most 180² · 1000
+    let cost = |bend: f64| (bend * bend * 1000.0).round() as i64 + if bend > 155.0 { 1 << 35 } else { 0 };
+    pairs.map(cost).collect()
+}
+
+/// Which edge end follows which at a vertex of 400, beside another's solver.
+fn ends_at_a_vertex(c: &mut Criterion) {
+    const ENDS: u32 = 400;
+    let mut group = c.benchmark_group("edge-ends");
+    for (name, widest) in [("all-around", PI), ("one-side", PI / 4.0)] {
+        let costs = costs_of_bends(ENDS, widest);
+        let ours = || cheapest_pairs(ENDS, |a, b| costs[(a * ENDS + b) as usize].unsigned_abs());
+        let peer = || min_weight_perfect_matching(&costs, ENDS as usize);
+        let sum = |mates: &[usize]| -> i64 {
+            mates.iter().enumerate().map(|(a, &b)| costs[a * ENDS as usize + b]).sum()
+        };
+        let of_ours: Vec<usize> = ours().into_iter().map(|mate| mate as usize).collect();
+        assert_eq!(sum(&of_ours), sum(&peer()), "{name}");
+        group.bench_function(name, |b| b.iter(ours));
+        group.bench_function(format!("{name}-integer-blossom"), |b| b.iter(peer));
+    }
+    group.finish();
+}
+
+criterion_group!(
+    benches,
+    whole_pipeline,
+    live_check,
+    live_collisions,
+    euler_path_and_doubling,
+    ends_at_a_vertex
+);
 criterion_main!(benches);
