@@ -5,12 +5,12 @@ use crate::matching::{Matching, Stop};
 
 /// A cost beyond this counts as this, so that no sum of a solution overflows.
 const MAX_COST: u64 = 1 << 57;
-/// For each thing so many of the cheapest partners are candidates from the beginning, with all that cost the same; twice as many
-/// whenever they do not suffice.
+/// For each thing so many of the cheapest partners are candidates from the beginning, and all that cost as much as the last of
+/// them; twice as many whenever they do not suffice.
 const CHEAPEST: usize = 10;
 
 /// The partner of each of `0..count`, an even number, so that the costs of all pairs together are least ("minimum-weight
-/// perfect matching" of a complete graph). `cost` is asked once for each pair, lower one first; what is beyond 2^57 counts as
+/// perfect matching" of a complete graph); of an odd number one is its own partner. `cost` is asked once for each pair, lower one first; what is beyond 2^57 counts as
 /// that. Room grows with the square of the count.
 #[must_use]
 pub fn cheapest_pairs(count: u32, cost: impl Fn(u32, u32) -> u64) -> Vec<u32> {
@@ -60,7 +60,7 @@ impl Partners {
         partners
     }
 
-    /// Makes so many of a row candidates, and all that cost the same.
+    /// Makes so many of a row candidates, and all that cost as much as the last of them.
     fn take(&mut self, thing: usize, many: usize) {
         let row = self.row(thing);
         let taken = row.get(..many).and_then(<[u32]>::last).map_or(row.len(), |&last| {
@@ -101,6 +101,7 @@ impl Partners {
         let before = self.taken[a];
         self.take(a, 2 * before);
         let more = self.row(a)[before..self.taken[a]].iter().map(|&b| (b, self.weight(a, b)));
+        // What is within the reach of the other is there already.
         let found = more.filter(|&(b, weight)| weight >= known[b as usize]).collect();
         (self.reach(a), found)
     }

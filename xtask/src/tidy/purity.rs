@@ -11,7 +11,6 @@ const WHY: &str = "core is pure, so that the same input always gives the same wi
 /// The crates that `core` may use: mathematics, graphs, random numbers from a given seed, and error types.
 const MAY_USE: &[&str] = &[
     "faer",
-    "integer-blossom",
     "nalgebra",
     "parry3d-f64",
     "petgraph",

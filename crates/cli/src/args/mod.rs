@@ -90,7 +90,7 @@ pub(crate) enum Subcommands {
     /// Make a design from a few figures
     #[command(subcommand)]
     Generate(GenerateCommand),
-    /// Report what a machine, or without one any machine, cannot make of a wireframe, and why
+    /// Report what a machine cannot make of a wireframe, and why; without a machine, what none can
     #[command(
         after_help = "Examples:\n  wirebend check examples/house.obj --machine wirebend-kit\n  wirebend check examples/house.obj"
     )]

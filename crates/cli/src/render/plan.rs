@@ -163,17 +163,17 @@ pub(super) fn check(out: &mut impl Write, found: &CheckResponse) -> std::io::Res
     notes(out, &found.notes)?;
     let all: Vec<&DiagnosticReport> = found.diagnostics.iter().collect();
     list(out, &all)?;
-    let on = match (&found.machine, &found.material) {
-        (Some(machine), Some(material)) => format!("{machine} with {material}"),
-        (Some(machine), None) => machine.clone(),
-        (None, _) => "any machine".to_owned(),
+    let machine = found.machine.as_deref().unwrap_or("any machine");
+    let on = match &found.material {
+        Some(material) => format!("{machine} with {material}"),
+        None => machine.to_owned(),
     };
-    let verdict = match (found.feasible, &found.machine) {
-        (true, Some(_)) => {
-            format!("within the limits of {on}{}", unchecked(!found.collisions_checked))
-        }
-        (true, None) => "no error in the design".to_owned(),
-        (false, _) => format!("cannot be bent on {on}"),
+    let verdict = if !found.feasible {
+        format!("cannot be bent on {on}")
+    } else if found.machine.is_some() {
+        format!("within the limits of {on}{}", unchecked(!found.collisions_checked))
+    } else {
+        "no error in the design".to_owned()
     };
     summary(out, &verdict, &all)
 }

@@ -30,7 +30,8 @@ fn a_design_is_checked_without_a_machine() {
     }
     let said = run(&["check", &cube, "--closed", "--wires", "2"]).ended(2).err;
     assert!(said.contains("closed"), "{said}");
-    run(&["check", &cube, "--start", "99"]).ended(3);
+    let said = run(&["check", &cube, "--start", "99"]).ended(3).err;
+    assert!(said.contains("no vertex 99"), "{said}");
 }
 
 #[test]
@@ -41,6 +42,9 @@ fn edges_that_are_too_close_together_are_found_once_the_wire_is_known() {
     };
     let unknown = check(&[]).ended(0).err;
     assert!(unknown.contains("not whether edges are too close together"), "{unknown}");
+    assert!(unknown.contains("no error in the design: 0 errors"), "{unknown}");
+    let said = check(&["--material", "aluminium-6061-t6-3mm"]).ended(4).err;
+    assert!(said.contains("cannot be bent on any machine with aluminium-6061-t6-3mm: 1 error"), "{said}");
     let thick = check(&["--material", "aluminium-6061-t6-3mm", "--json"]).ended(4).json();
     assert_eq!(codes(&thick, "diagnostics", "code"), ["edges_meet"]);
     assert_eq!(thick["material"], json!("aluminium-6061-t6-3mm"));

@@ -93,7 +93,7 @@ fn search(
             (found.routes, found.forced) = (routes, forced);
             try_starts(wireframe, component, options, &wanted, found);
         }
-        // The check of odd vertices says it with the cheapest way out; where a bend is in the way of that, it is said, too.
+        // The check of odd vertices says it with the cheapest way out; what is in the way of that, a bend or too many edge ends, is said, too.
         Err(RouteError::Odd { .. }) => {
             let proposed = RouteOptions { doubled: found.proposal.edges.clone(), ..wanted };
             match forced_bends(wireframe, component, &proposed) {

@@ -162,8 +162,7 @@ pub enum RouteError {
     TooLong,
 }
 
-/// The most edge ends at one vertex that are paired, which takes up to a second; it grows with the cube of them. No wire comes
-/// through one point so often.
+/// The most edge ends at one vertex that are paired: time grows with about their cube. No wire comes through one point so often.
 const MAX_ENDS: usize = 500;
 
 /// A route of one wire through every edge of a component, whatever the options say of several.

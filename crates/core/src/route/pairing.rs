@@ -11,7 +11,7 @@ use crate::units::Angle;
 pub(super) type End = usize;
 
 /// Cost of a fold back, of a bend beyond the limit, and of a bend per square degree. One fold back weighs more than all bends beyond
-/// the limit of a vertex, one of those more than all squares: of up to 1000 ends, twice as many as are paired.
+/// the limit of a vertex, one of those more than all squares: this holds for up to 1000 ends, and 500 are paired.
 const FOLD_BACK: i64 = 1 << 46;
 pub(super) const BEYOND_LIMIT: i64 = 1 << 35;
 const PER_SQUARE_DEGREE: f64 = 1000.0;

@@ -1,4 +1,4 @@
-//! `check`: what cannot be made of a design on a machine, or, where no machine is named, on any.
+//! `check`: what a machine cannot make of a design, or, where none is named, what no machine can.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -27,7 +27,7 @@ pub struct CheckResponse {
     pub machine: Option<String>,
     /// The wire; null where none is named, and how thick it is is not known.
     pub material: Option<String>,
-    /// Whether the machine can make it, or without one, whether nothing stands in the way of any.
+    /// Whether the machine can make it; without one, whether the design itself has no error.
     pub feasible: bool,
     /// Whether it was looked at where the wire meets the machine or itself: only on request, and not without a route.
     pub collisions_checked: bool,
@@ -61,8 +61,7 @@ pub fn check(
     })
 }
 
-/// The same where no machine is named: what stands in the way of every one. Without a wire, too, nothing is said of edges that are too
-/// close together.
+/// The same where no machine is named. Without a wire, too, nothing is said of edges that are too close together.
 fn check_without_machine(
     app: &Installation,
     opened: Opened,
@@ -104,7 +103,7 @@ fn check_without_machine(
     })
 }
 
-/// Whether something is asked for that only a machine can tell.
+/// Whether something is asked for that only a machine can tell. What the design itself says of sag waits for one.
 const fn needs_machine(choices: &PlanChoices) -> bool {
     choices.collisions
         || choices.avoid_collisions

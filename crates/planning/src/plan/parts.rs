@@ -45,7 +45,10 @@ pub(super) struct PlannedParts {
 }
 
 impl<'a> Parts<'a> {
-    /// The parts of a design that was read, where what was chosen for its wires can be. `components`: all of its parts.
+    /// The parts of a design. `components`: all of them.
+    ///
+    /// # Errors
+    /// [`PlanningError`] for a choice for its wires that cannot be, such as a start that is no vertex.
     pub(super) fn of(
         opened: &'a Opened,
         components: &'a [Component],

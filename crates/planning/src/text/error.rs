@@ -37,7 +37,9 @@ pub(super) fn route(error: &RouteError) -> String {
             format!("edge {edge} is to be doubled but is not part of this wire")
         }
         RouteError::TooManyEnds { vertex, ends, max } => {
-            format!("{ends} edge ends meet at vertex {vertex}: a route can be found for up to {max}")
+            format!(
+                "{ends} edge ends meet at vertex {vertex}, doubled edges counted twice: a route can be found for up to {max}"
+            )
         }
         RouteError::TooLong => {
             "the edges are more than a thousand million, or 288,000 km long or more together".to_owned()

@@ -126,7 +126,7 @@ fn findings_of_the_route_say_why_there_is_none() {
     refused(RouteError::DoubledElsewhere(EdgeId(5)), "edge 5 is to be doubled but is not part of this wire");
     refused(
         RouteError::TooManyEnds { vertex: VertexId(5), ends: 600, max: 500 },
-        "600 edge ends meet at vertex 5: a route can be found for up to 500",
+        "600 edge ends meet at vertex 5, doubled edges counted twice: a route can be found for up to 500",
     );
     refused(
         RouteError::TooLong,

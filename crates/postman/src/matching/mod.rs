@@ -179,7 +179,7 @@ impl Matching {
         matching
     }
 
-    /// The same where edges are no ways: of a vertex those that are shorter than its reach, of any weights that are multiples of 4.
+    /// The same where edges are no ways. `edges`: of each vertex all that are shorter than its `reach`; weights are multiples of 4.
     pub fn of_any(reach: Vec<i64>, edges: Vec<([u32; 2], i64)>) -> Self {
         Self { on_ways: 0, ..Self::new(reach.len(), reach, edges) }
     }

@@ -92,7 +92,7 @@ it("says that a file is written where a person sees it, in a low window too", as
     await route.continue();
   });
   await format().selectOption("lra-csv");
-  // Its two lines are higher than the button.
+  // Its two lines are higher than the button, which still may not move under the pointer: each test looks at that.
   const name = `${"a-name-of-two-lines-".repeat(3)}low.csv`;
   await target().fill(into(name));
   // The last that is seen of the panel is the button.

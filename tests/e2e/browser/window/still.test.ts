@@ -214,8 +214,11 @@ async function starts(): Promise<void> {
     await order({ order: "start" });
     slowed = editor.atSpeed(SLOW);
   };
-  await rests("Start", start, "making", "Pause");
-  await slowed;
+  try {
+    await rests("Start", start, "making", "Pause");
+  } finally {
+    await slowed;
+  }
 }
 
 async function arm(): Promise<void> {

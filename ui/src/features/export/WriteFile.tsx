@@ -62,7 +62,8 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
     const last = written === before ? null : answer.current?.lastElementChild;
     if (!last) return;
     // It may come beside what is seen of the panel, and a preview that arrives after it moves it down. What is seen is reported when the
-    // panel has put the button back under the pointer, which leaves the end of the answer right above it.
+    // panel has put the button back under the pointer: the answer then ends right above it, and needs no scroll but where the button is
+    // at the upper edge.
     const observer = new IntersectionObserver(([seen]) => {
       observer.disconnect();
       if (seen && seen.intersectionRatio < 0.5) last.scrollIntoView({ block: "nearest" });
