@@ -10,8 +10,8 @@ const MAX_COST: u64 = 1 << 57;
 const CHEAPEST: usize = 10;
 
 /// The partner of each of `0..count`, an even number, so that the costs of all pairs together are least ("minimum-weight
-/// perfect matching" of a complete graph); of an odd number one is its own partner. `cost` is asked once for each pair, lower one first; what is beyond 2^57 counts as
-/// that. Room grows with the square of the count.
+/// perfect matching" of a complete graph); of an odd number one is its own partner. `cost` is asked once for each pair, lower
+/// one first; what is beyond 2^57 counts as that. Room grows with the square of the count.
 #[must_use]
 pub fn cheapest_pairs(count: u32, cost: impl Fn(u32, u32) -> u64) -> Vec<u32> {
     let mut partners = Partners::new(count as usize, cost);

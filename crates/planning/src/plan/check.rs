@@ -25,7 +25,7 @@ pub struct CheckRequest {
 pub struct CheckResponse {
     /// The machine; null where none is named, and the design alone was checked.
     pub machine: Option<String>,
-    /// The wire; null where none is named, and how thick it is is not known.
+    /// The wire; null where none is named, so that its thickness is not known.
     pub material: Option<String>,
     /// Whether the machine can make it; without one, whether the design itself has no error.
     pub feasible: bool,

@@ -25,8 +25,6 @@ pub(super) struct Parts<'a> {
     document: &'a Document,
     /// Those that have edges.
     bent: Vec<&'a Component>,
-    /// What each of them has of the wires.
-    shares: Vec<Share>,
     choices: &'a PlanChoices,
     chosen: WireChoice,
     /// The walks in their order where that is kept.
@@ -69,9 +67,8 @@ impl<'a> Parts<'a> {
         }
         let bent: Vec<&Component> =
             components.iter().filter(|component| !component.edges.is_empty()).collect();
-        let shares = wires_of_parts(document, &bent, start, chosen.wires);
         let clearance = clearance.unwrap_or(document.collisions.clearance_mm).length();
-        Ok(Self { document, bent, shares, choices, chosen, settled, start, clearance })
+        Ok(Self { document, bent, choices, chosen, settled, start, clearance })
     }
 
     pub(super) fn plan(&self, setup: &Setup, progress: &dyn Progress) -> PlannedParts {
@@ -79,8 +76,9 @@ impl<'a> Parts<'a> {
         let mut timings = Vec::with_capacity(self.bent.len());
         let mut replaced = Replaced::default();
         progress.stage("planning");
-        let mut allowance = Allowance::of(self.choices, &self.chosen, &self.shares);
-        for (index, (component, share)) in self.bent.iter().zip(&self.shares).enumerate() {
+        let shares = self.shares();
+        let mut allowance = Allowance::of(self.choices, &self.chosen, &shares);
+        for (index, (component, share)) in self.bent.iter().zip(&shares).enumerate() {
             progress.advance(index as u64, self.bent.len() as u64);
             let options = PlanOptions {
                 search: allowance.search(self.choices, share),
@@ -103,11 +101,16 @@ impl<'a> Parts<'a> {
     pub(super) fn check(&self) -> (Vec<Diagnostic>, Replaced) {
         let mut replaced = Replaced::default();
         let mut found = Vec::new();
-        for (component, share) in self.bent.iter().zip(&self.shares) {
+        for (component, share) in self.bent.iter().zip(&self.shares()) {
             let options = self.options(component, share, &mut replaced);
             found.extend(check_walks(&self.document.wireframe, component, &options));
         }
         (found, replaced)
+    }
+
+    /// What each part has of the wires.
+    fn shares(&self) -> Vec<Share> {
+        wires_of_parts(self.document, &self.bent, self.start, self.chosen.wires)
     }
 
     /// How the wires of a part are planned, but for a search.
