@@ -20,6 +20,9 @@ const WAITING: u64 = 256;
 /// Further behind than this the controller does not try to catch up: the computer was busy with something else.
 const HOPELESS: Duration = Duration::from_millis(200);
 
+/// The event of an opening comes sooner after it, however busy the computer is.
+const EVENT: Duration = Duration::from_millis(250);
+
 /// What the owner of the port wants.
 pub(super) enum Command<B> {
     With(Box<dyn FnOnce(&mut B) + Send>),
@@ -99,11 +102,27 @@ impl<B: Behind> Runner<B> {
                 self.terminal = self.retired.take();
             }
         }
-        let mut used = self.users > 0;
-        for &happened in &happened {
+        let used = self.users > 0 || happened.contains(&Happened::Opened);
+        self.count(&happened);
+        if used && let Some(terminal) = &self.terminal {
+            let left = if happened.is_empty() { seen.left } else { terminal.look()?.left };
+            if left { self.users = 0 } else { self.opened_again()? }
+        }
+        if used && self.users == 0 {
+            // What was written before it was closed still goes out.
+            while self.take_in()? > 0 {}
+            self.outgoing.clear();
+            let fresh = Terminal::new(&self.link)?;
+            self.retired = self.terminal.replace(fresh);
+        }
+        Ok(())
+    }
+
+    /// Counts who has it open; who opens it first, resets the board.
+    fn count(&mut self, happened: &[Happened]) {
+        for happened in happened {
             match happened {
                 Happened::Opened => {
-                    used = true;
                     self.connections.fetch_add(1, Ordering::SeqCst);
                     self.users += 1;
                     if self.users == 1 && self.options.reset_on_open {
@@ -114,18 +133,24 @@ impl<B: Behind> Runner<B> {
                 Happened::Closed => self.users = self.users.saturating_sub(1),
             }
         }
-        if used && let Some(terminal) = &self.terminal {
-            // Events that are alike are reported as one, and that of a close before it is over: the terminal knows.
-            let left = if happened.is_empty() { seen.left } else { terminal.look()?.left };
-            self.users = if left { 0 } else { self.users.max(1) };
-        }
-        // A terminal that a program has opened again meanwhile is left to it.
-        if used && self.users == 0 {
-            // What was written before it was closed still goes out.
-            while self.take_in()? > 0 {}
-            self.outgoing.clear();
-            let fresh = Terminal::new(&self.link)?;
-            self.retired = self.terminal.replace(fresh);
+    }
+
+    /// A terminal that is open although all have closed it is left to who has opened it again. The terminal knows of that
+    /// before its event comes.
+    fn opened_again(&mut self) -> Result<(), UnoError> {
+        while self.users == 0 {
+            let Some(terminal) = &self.terminal else { return Ok(()) };
+            let happened = terminal.happened_within(EVENT)?;
+            if happened.is_empty() {
+                // Events that are alike are reported as one: of two who had opened it, one is left.
+                self.users = 1;
+                return Ok(());
+            }
+            self.count(&happened);
+            if self.terminal.as_ref().map(Terminal::look).transpose()?.is_some_and(|seen| seen.left) {
+                self.users = 0;
+                return Ok(());
+            }
         }
         Ok(())
     }

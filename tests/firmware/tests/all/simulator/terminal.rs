@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{Read, Write};
 use std::time::{Duration, Instant};
 
-use serialport::TTYPort;
+use serialport::{SerialPort, TTYPort};
 use wirebend_tests_firmware::{OnPty, Options, Pace, Port, Ram, ResetCause, UnoError};
 
 use super::{edges, started};
@@ -41,6 +41,19 @@ fn opening_the_port_resets_the_controller_and_it_answers() {
         assert!(read(&mut port, 5).starts_with("B02"), "connection {connection}");
         port.write_all(b"HELLO").unwrap();
         assert_eq!(read(&mut port, 5), "HELLO");
+        assert_eq!(bench.connections(), connection);
+    }
+    bench.stop().unwrap();
+}
+
+/// A close and an open that come at once fall into any place between two looks of the controller's thread.
+#[test]
+fn a_port_that_is_opened_again_at_once_resets_the_controller_again() {
+    let bench = on_pty(true);
+    for connection in 1..=5_000 {
+        let mut port = open(&bench);
+        port.set_timeout(Duration::from_secs(5)).unwrap();
+        assert!(read(&mut port, 5).starts_with("B02"), "connection {connection}");
         assert_eq!(bench.connections(), connection);
     }
     bench.stop().unwrap();
