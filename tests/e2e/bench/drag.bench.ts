@@ -1,5 +1,5 @@
 import { afterEach, expect, it } from "vitest";
-import { COMPOSITED } from "../support/browser.ts";
+import { COMPOSITED, SMOOTH } from "../support/browser.ts";
 import { Editor, until } from "../support/editor.ts";
 import { Sight } from "../support/sight.ts";
 import { type Figure, hand, ms, within } from "./figures.ts";
@@ -19,7 +19,7 @@ let editor: Editor;
 
 /** With the column open, and where its vertex is taken hold of. */
 async function begin(browserArguments: readonly string[]): Promise<{ sight: Sight; press: { x: number; y: number } }> {
-  editor = await Editor.open({}, () => {}, browserArguments);
+  editor = await Editor.open({}, () => {}, [SMOOTH, ...browserArguments]);
   await install(editor.page);
   const bytes = [...Buffer.from(column())];
   await editor.loopback.ask("open", { design: { input: { bytes: { name: "column.obj", bytes } }, units: "mm" } });

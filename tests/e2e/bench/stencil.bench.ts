@@ -1,6 +1,6 @@
 import { writeFileSync } from "node:fs";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { COMPOSITED } from "../support/browser.ts";
+import { COMPOSITED, SMOOTH } from "../support/browser.ts";
 import { Editor, until } from "../support/editor.ts";
 import { Sight } from "../support/sight.ts";
 import { type Figure, hand, median, ms, seconds, within } from "./figures.ts";
@@ -16,7 +16,7 @@ let editor: Editor;
 let file: string;
 
 beforeAll(async () => {
-  editor = await Editor.open({}, () => {}, [COMPOSITED]);
+  editor = await Editor.open({}, () => {}, [COMPOSITED, SMOOTH]);
   await install(editor.page);
   const bytes = [...Buffer.from(column())];
   await editor.loopback.ask("open", { design: { input: { bytes: { name: "column.obj", bytes } }, units: "mm" } });

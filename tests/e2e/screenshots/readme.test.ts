@@ -1,5 +1,6 @@
 import { mkdirSync } from "node:fs";
 import { afterAll, beforeAll, expect, it } from "vitest";
+import { SMOOTH } from "../support/browser.ts";
 import { Editor, type Section, until } from "../support/editor.ts";
 import { root } from "../support/places.ts";
 import { type Place, Sight } from "../support/sight.ts";
@@ -28,7 +29,7 @@ let editor: Editor;
 
 beforeAll(async () => {
   mkdirSync(folder, { recursive: true });
-  editor = await Editor.open({ scheme: "dark" });
+  editor = await Editor.open({ scheme: "dark" }, () => {}, [SMOOTH]);
 });
 
 afterAll(async () => {

@@ -61,13 +61,10 @@ it("fixes 22 odd corners with the edges that add least, shows it before, and tak
       design,
       design.edges.map(({ id }) => id),
     ) + added;
-  const shown = await editor.page
-    .getByRole("contentinfo")
-    .locator("div", { hasText: /^Wire/ })
-    .locator("dd")
-    .innerText();
-  expect(Number(shown.replaceAll(/[^\d.]/g, ""))).toBeCloseTo(all, 1);
-  expect(shown).toMatch(/ mm$/);
+  const shown = () =>
+    editor.page.getByRole("contentinfo").locator("div", { hasText: /^Wire/ }).locator("dd").innerText();
+  await until(async () => Number((await shown()).replaceAll(/[^\d.]/g, ""))).toBeCloseTo(all, 1);
+  expect(await shown()).toMatch(/ mm$/);
 
   await editor.button(/^Undo/).click();
   await check().getByText("Needs more than one wire (22 odd corners)").waitFor();
