@@ -30,6 +30,16 @@ it("finds in Check what the wire hits on its way, frames it, and takes it back w
   await line.locator(".line-button").click();
   await editor.isClean("check-collision");
 
+  await line.locator(".line-action button").click();
+  await line.getByRole("button", { name: "Enter dimensions…" }).click();
+  const dialog = editor.page.getByRole("dialog");
+  await until(() => dialog.locator(".body-row[aria-pressed=true] .ellipsis").allInnerTexts()).toEqual([
+    contact.finding.body,
+  ]);
+  await editor.isClean("check-enter-dimensions");
+  await editor.page.keyboard.press("Escape");
+  await dialog.waitFor({ state: "detached" });
+
   // One bend reaches nothing.
   await editor.loopback.ask("new", {});
   await editor.loopback.ask("edit", {

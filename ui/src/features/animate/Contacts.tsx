@@ -6,6 +6,7 @@ import { useDesign } from "../../state/design/design";
 import { type PlayedContact, setStops, useContacts, useStops } from "../../state/program/contacts";
 import { jump } from "../../state/program/player";
 import { usePlayback } from "../../state/program/program";
+import { EnterDimensions } from "../check/EnterDimensions";
 import { estimatesOf } from "../check/texts";
 import { Avoid } from "./Avoid";
 import { CollisionSettings } from "./CollisionSettings";
@@ -63,7 +64,11 @@ function Contact({ contact }: { readonly contact: PlayedContact }) {
 function Estimates() {
   const found = useDesign(({ collisions }) => collisions?.found);
   const text = found && estimatesOf(found);
-  return text ? <p className="muted small">{text}</p> : null;
+  return text ? (
+    <p className="muted small">
+      {text} {found.estimates > 0 && <EnterDimensions />}
+    </p>
+  ) : null;
 }
 
 /** Why there are none. `others`: other wires have some. */

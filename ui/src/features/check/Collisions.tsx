@@ -4,6 +4,7 @@ import { Line } from "../../shared/lists/Line";
 import { useWork } from "../../state/asking/work";
 import { lookForCollisions, stopCollisions, useCollisions } from "../../state/design/collisions";
 import { useDesign } from "../../state/design/design";
+import { EnterDimensions } from "./EnterDimensions";
 import { estimatesOf } from "./texts";
 
 /** How the check for collisions stands. What it has found is in the list, like all other findings. */
@@ -12,13 +13,24 @@ export function Collisions() {
   const found = useDesign(({ collisions }) => collisions?.found);
   // What was found a moment ago stays until the next answer is there.
   if (found && (stands === "running" || stands === "done")) {
+    const dimensions = found.estimates > 0 && <EnterDimensions />;
     if (!found.checked)
       return (
-        <Line tone="info" what="Wires without a program are not checked for collisions" sub={estimatesOf(found)} />
+        <Line
+          tone="info"
+          what="Wires without a program are not checked for collisions"
+          sub={estimatesOf(found)}
+          action={dimensions}
+        />
       );
     if (found.contacts.some(({ depth_mm }) => depth_mm >= 0)) return null;
     return (
-      <Line tone="fine" what="No collision found with the machine or with the wire itself" sub={estimatesOf(found)} />
+      <Line
+        tone="fine"
+        what="No collision found with the machine or with the wire itself"
+        sub={estimatesOf(found)}
+        action={dimensions}
+      />
     );
   }
   switch (stands) {

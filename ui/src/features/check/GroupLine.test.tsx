@@ -11,6 +11,8 @@ import { useDesign } from "../../state/design/design";
 import { useFixAll } from "../../state/design/fixes/fix_all";
 import { REST, useFixes } from "../../state/design/fixes/fixes";
 import { useSelection } from "../../state/design/selection";
+import { useProfile } from "../../state/machine/profile";
+import { designState } from "../../state/testing";
 import { useUi } from "../../state/window/ui";
 import { GroupLine } from "./GroupLine";
 
@@ -83,6 +85,24 @@ describe("a line of the checks", () => {
     act(() => button("Show").focus());
     act(() => useFixes.setState({ fixes: [fix] }));
     expect(button("Fix…").getAttribute("aria-expanded")).toBe("false");
+  });
+
+  it("leads to the body that is hit where nobody has measured it", async () => {
+    platform.ask.mockReset().mockReturnValue(new Promise(() => {}));
+    useDesign.setState({ state: designState({ machine: "mine" }) });
+    const hit = (body: string, estimated: boolean) =>
+      report("meets_machine", {
+        body,
+        unit: "mm",
+        value: 3,
+        remedies: estimated ? [{ remedy: "measure_body" }] : [],
+      });
+    show([hit("peg", false), hit("head", true)]);
+    await act(async () => button("List").click());
+    await act(async () => button("Enter dimensions…").click());
+    expect(useProfile.getState()).toMatchObject({ open: { id: "mine" }, part: "bodies", body: "head" });
+    show([hit("peg", false), hit("nozzle", false)]);
+    expect(host.textContent).not.toContain("Enter dimensions");
   });
 
   it("highlights nothing any more when it goes away under the pointer", () => {

@@ -9,10 +9,11 @@ import { useDesign } from "../../state/design/design";
 import { isCollision } from "../../state/design/findings";
 import { fixesOf, useFixes } from "../../state/design/fixes/fixes";
 import { highlight } from "../../state/design/selection";
+import { EnterDimensions } from "./EnterDimensions";
 import { FixAllOffer } from "./FixAllOffer";
 import { FixList } from "./FixList";
 import { placesOfAll, showPlaces } from "./places";
-import { figuresOf, type Group, measureText, sourceOf, TONES, titleOf, whatOf } from "./texts";
+import { figuresOf, type Group, isEstimated, measureText, sourceOf, TONES, titleOf, whatOf } from "./texts";
 import { wayOut } from "./ways";
 
 /** More places than these are not listed one by one. */
@@ -81,6 +82,7 @@ export function GroupLine({ group }: { readonly group: Group }) {
   const way = fixable ? null : wayOut(first?.code ?? "", stencil);
   const places = placesOfAll(reports);
   const somewhere = places.vertices.length + places.edges.length > 0;
+  const estimated = reports.find(isEstimated);
   // The grey line has no room for it beside its figures.
   const help = single && first.unit ? first.help : "";
   const shown = help ? ADVICE : somewhere ? "Show" : null;
@@ -127,6 +129,11 @@ export function GroupLine({ group }: { readonly group: Group }) {
             </ul>
           )}
           {help && <p className="muted small">{sentence(help)}.</p>}
+          {estimated && (
+            <div className="row">
+              <EnterDimensions body={estimated.body ?? null} />
+            </div>
+          )}
         </div>
       )}
     </li>

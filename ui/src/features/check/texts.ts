@@ -233,6 +233,10 @@ function worstOf(reports: readonly DiagnosticReport[]): DiagnosticReport | undef
 /** Findings whose value is a length that is fed. */
 const OF_FEEDS: ReadonlySet<DiagnosticCode> = new Set(["feed_too_short", "feed_near_limit", "feed_too_long"]);
 
+/** Whether it depends on dimensions of the machine that nobody has measured. */
+export const isEstimated = ({ remedies }: DiagnosticReport): boolean =>
+  remedies?.some(({ remedy }) => remedy === "measure_body") ?? false;
+
 /** The grey line: value, limit and where the limit comes from. */
 export function figuresOf({ reports }: Group, unit: DisplayUnit): string {
   const worst = worstOf(reports);
@@ -242,8 +246,7 @@ export function figuresOf({ reports }: Group, unit: DisplayUnit): string {
   if (isCollision(worst.code)) {
     const figure = measureText(worst, unit);
     const deep = `${reports.length === 1 || isNear(worst) ? "" : "up to "}${figure}`;
-    const estimated = worst.remedies?.some(({ remedy }) => remedy === "measure_body");
-    return estimated ? `${deep}; dimensions are estimates` : deep;
+    return isEstimated(worst) ? `${deep}; dimensions are estimates` : deep;
   }
   const [value, limit] = [valueText(worst.value, worst.unit, unit), valueText(worst.limit, worst.unit, unit)];
   const which = reports.length === 1 ? "" : isLeast(worst) ? "least " : "most ";

@@ -12,7 +12,6 @@ import { misfit } from "./choosing/fit";
 import { MachineList } from "./choosing/MachineList";
 import { Materials } from "./choosing/Materials";
 import { Drivers, waits } from "./drivers/Drivers";
-import { ProfileEditor } from "./editor/ProfileEditor";
 import { ImportProfile } from "./profile/ImportProfile";
 import { ThisMachine } from "./profile/ThisMachine";
 import "./machine.css";
@@ -61,7 +60,6 @@ export function MachineSection() {
       >
         <Drivers />
       </Fold>
-      <ProfileEditor />
       <CalibrationDialog />
     </Section>
   );

@@ -7,6 +7,8 @@ import { profilesChanged } from "./machines";
 
 /** What can be edited. */
 export type ProfileKind = "machine" | "material";
+/** Only a machine has bodies. */
+export type ProfilePart = "values" | "bodies";
 /** A value without its source; the generated types know JSON as objects alone. */
 export type PlainValue = number | string | boolean | object | null;
 type JsonValue = Requests["set-profile"]["values"][number]["value"];
@@ -20,6 +22,10 @@ export interface EnteredSource {
 interface ProfileStore {
   /** The profile whose editor is open. */
   readonly open: { readonly kind: ProfileKind; readonly id: string } | null;
+  /** What of it is shown. */
+  readonly part: ProfilePart;
+  /** The body that is chosen first, by its name. */
+  readonly body: string | null;
   /** Null before it is known. */
   readonly view: ProfileView | null;
   /** Why it cannot be shown. */
@@ -38,6 +44,8 @@ export const measuredToday = (now = new Date()): string =>
 
 export const useProfile = create<ProfileStore>()(() => ({
   open: null,
+  part: "values",
+  body: null,
   view: null,
   problem: null,
   refused: null,
@@ -55,10 +63,17 @@ function wireOf(kind: ProfileKind, id: string): { material?: string } {
 }
 
 /** Opens the editor of a profile. */
-export async function openProfile(kind: ProfileKind, id: string): Promise<void> {
+export async function openProfile(
+  kind: ProfileKind,
+  id: string,
+  part: ProfilePart = "values",
+  body: string | null = null,
+): Promise<void> {
   const source = { text: measuredToday(), measured: true };
   useProfile.setState({
     open: { kind, id },
+    part,
+    body,
     view: null,
     problem: null,
     refused: null,
@@ -72,6 +87,16 @@ export async function openProfile(kind: ProfileKind, id: string): Promise<void> 
   } catch (error) {
     if (useProfile.getState().open?.id === id) useProfile.setState({ problem: messageOf(error) });
   }
+}
+
+/** Opens the bodies of the design's machine, where their dimensions are entered, and chooses one of them by its name. */
+export function openBodies(body: string | null): void {
+  const machine = useDesign.getState().state?.machine;
+  if (machine) void openProfile("machine", machine, "bodies", body);
+}
+
+export function showPart(part: ProfilePart): void {
+  useProfile.setState({ part });
 }
 
 export function closeProfile(): void {

@@ -27,7 +27,7 @@ export function Bodies({ why }: { readonly why: string | null }) {
   const view = useProfile((store) => store.view);
   const source = useProfile((store) => store.source);
   const refused = useProfile((store) => (store.refused?.key === SHAPES ? store.refused.message : null));
-  const [chosen, setChosen] = useState<number | null>(null);
+  const [chosen, setChosen] = useState(firstChosen);
   /** What is asked for and not written yet. */
   const [asked, setAsked] = useState<readonly Shape[] | null>(null);
   const [typed, setTyped] = useState<Draft | null>(null);
@@ -143,6 +143,13 @@ export function Bodies({ why }: { readonly why: string | null }) {
       />
     </div>
   );
+}
+
+/** The place of the body that was asked for by its name. */
+function firstChosen(): number | null {
+  const { view, body } = useProfile.getState();
+  const at = view?.shapes.findIndex(({ name }) => name === body) ?? -1;
+  return at < 0 ? null : at;
 }
 
 /** All of a body as the parent has it, also what the parent leaves out. */

@@ -7,7 +7,7 @@ vi.mock("../../../platform", () => ({ platform: { ask }, Refused: class Refused 
 
 import { place } from "../../../shared/testing";
 import { useDesign } from "../../../state/design/design";
-import { openProfile } from "../../../state/machine/profile";
+import { closeProfile, openBodies, openProfile } from "../../../state/machine/profile";
 import { profileView } from "../../../state/machine/profile_testing";
 import { designState } from "../../../state/testing";
 import { ProfileEditor } from "./ProfileEditor";
@@ -49,6 +49,18 @@ it("marks what is changed, with what it was, where it comes from, and the way ba
   expect(at.host.textContent).toContain("Changed (1)");
   await act(async () => pin?.querySelector<HTMLElement>('[aria-label="Take back Pin radius"]')?.click());
   expect(ask).toHaveBeenCalledWith("revert-profile", { kind: "machine", id: "mine", keys: ["bend.pin_radius_mm"] });
+});
+
+it("opens the bodies where they are asked for, and the values the next time", async () => {
+  const chosen = () =>
+    at.host.querySelector('[aria-label="Part of the profile"] input:checked')?.closest("label")?.textContent;
+  at.show(<ProfileEditor />);
+  await act(async () => openBodies(null));
+  expect(ask).toHaveBeenCalledWith("profile-view", { kind: "machine", id: "mine" });
+  expect(chosen()).toMatch(/^Bodies/);
+  await act(async () => closeProfile());
+  await act(() => openProfile("machine", "mine"));
+  expect(chosen()).toBe("Values");
 });
 
 it("shows a refusal at the value that was refused", async () => {

@@ -15,6 +15,7 @@ import {
   LAST_CHANGE,
   openProfile,
   SHAPES,
+  showPart,
   takeBackLast,
   useProfile,
 } from "../../../state/machine/profile";
@@ -29,10 +30,9 @@ import "./editor.css";
 
 /** The editor of the profile that is open: its values as forms, each with its source, and the head of a machine to scale. */
 export function ProfileEditor() {
-  const { open, view, problem, typedHead } = useProfile();
+  const { open, part, body, view, problem, typedHead } = useProfile();
   const [active, setActive] = useState<string | null>(null);
   const [only, setOnly] = useState<"all" | "changed">("all");
-  const [part, setPart] = useState<"values" | "bodies">("values");
   const [copying, setCopying] = useState(false);
   if (!open) return null;
   const { kind, id } = open;
@@ -47,7 +47,6 @@ export function ProfileEditor() {
   const close = () => {
     setCopying(false);
     setOnly("all");
-    setPart("values");
     closeProfile();
   };
   const focused = (event: FocusEvent) =>
@@ -71,7 +70,7 @@ export function ProfileEditor() {
                   { value: "values", label: "Values" },
                   { value: "bodies", label: `Bodies (${shapes})${isOwn(view, SHAPES) ? ", changed" : ""}` },
                 ]}
-                onChoose={setPart}
+                onChoose={showPart}
               />
             )}
             {view.shipped ? (
@@ -111,7 +110,7 @@ export function ProfileEditor() {
               fromName={name}
               onDone={(made) => {
                 setCopying(false);
-                if (made) void openProfile(kind, made);
+                if (made) void openProfile(kind, made, part, body);
               }}
             />
           )}
