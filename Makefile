@@ -170,7 +170,7 @@ test: XTASK := target/debug/xtask
 # What `cargo clippy` sets for itself; it would check all that others wrote once more, without using what is built.
 test: export RUSTC_WORKSPACE_WRAPPER := clippy-driver
 test: export CLIPPY_ARGS := -Dwarnings__CLIPPY_HACKERY__
-test: check-tools firmware-tools window-tools browser-tools fmt-check ui-test built unit doc-test tidy generate-check fuzz-check deny e2e ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
+test: check-tools firmware-tools window-tools browser-tools fmt-check ui-test built unit doc-test tidy generate-check deny e2e ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
 
 .PHONY: ui-test
 ui-test: ui/dist/index.html ## types, lints and tests of the editor
@@ -237,6 +237,8 @@ bench-window: window browser-tools tests/e2e/node_modules/.package-lock.json ## 
 	npm --prefix tests/e2e run --silent bench
 
 .PHONY: fuzz
+fuzz: export CARGO_PROFILE_RELEASE_STRIP := none
+fuzz: export CARGO_PROFILE_RELEASE_DEBUG := line-tables-only
 fuzz: check-tools check-clang ## search for inputs that break a reader or the firmware, two minutes a target (FUZZ_SECONDS=120)
 	@echo "--- fuzz the firmware's core, $(FUZZ_SECONDS) s"
 	$(MAKE) --no-print-directory -C firmware fuzz FUZZ_SECONDS=$(FUZZ_SECONDS)
@@ -245,7 +247,7 @@ fuzz: check-tools check-clang ## search for inputs that break a reader or the fi
 	for target in $$targets; do \
 		echo "--- fuzz $$target, $(FUZZ_SECONDS) s"; \
 		mkdir -p "fuzz/corpus/$$target"; \
-		RUSTC_BOOTSTRAP=1 cargo fuzz run "$$target" "fuzz/corpus/$$target" "fuzz/seeds/$$target" -- \
+		RUSTC_BOOTSTRAP=1 cargo fuzz run --features libfuzzer "$$target" "fuzz/corpus/$$target" "fuzz/seeds/$$target" -- \
 			-max_total_time=$(FUZZ_SECONDS) -rss_limit_mb=2048 -max_len=65536 || exit 1; \
 	done
 
@@ -304,11 +306,6 @@ generate-check: ui/node_modules/.package-lock.json
 	$(XTASK) examples --check
 	$(XTASK) generate --check
 	$(NPM) run --silent generate:check
-
-# Fuzz targets are outside the workspace; compiled here so that they do not rot.
-.PHONY: fuzz-check
-fuzz-check:
-	env -u RUSTC_WORKSPACE_WRAPPER cargo check --locked --manifest-path fuzz/Cargo.toml --target-dir target
 
 # Comes as a crate; compiled for this repository where it is missing, neither optimised nor for a debugger.
 .PHONY: check-nextest

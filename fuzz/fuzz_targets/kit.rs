@@ -1,3 +1,3 @@
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| wirebend_fuzz::import(wirebend_files::read::Format::Kit, bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| wirebend_fuzz::kit(bytes));

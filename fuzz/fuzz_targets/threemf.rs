@@ -1,3 +1,3 @@
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| wirebend_fuzz::import(wirebend_files::read::Format::ThreeMf, bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| wirebend_fuzz::threemf(bytes));

@@ -15,6 +15,7 @@ const MAY_KNOW: &[(&str, &[&str])] = &[
     ("crates/error", &[]),
     ("crates/profile", &["crates/error"]),
     ("crates/files", &["crates/core", "crates/error", "crates/profile", "crates/frame"]),
+    ("fuzz", &["crates/files"]),
     ("crates/driver-api", &[]),
     ("crates/journal", &[]),
     ("crates/driver-host", &["crates/driver-api", "crates/error", "crates/journal", "tests/built"]),
