@@ -20,7 +20,7 @@ const WAITING: u64 = 256;
 /// Further behind than this the controller does not try to catch up: the computer was busy with something else.
 const HOPELESS: Duration = Duration::from_millis(200);
 
-/// The event of an opening comes sooner after it, however busy the computer is.
+/// So long the event of an opening is waited for, and the end of a close: both come at once unless the computer is busy.
 const EVENT: Duration = Duration::from_millis(250);
 
 /// What the owner of the port wants.
@@ -43,6 +43,9 @@ pub(super) struct Runner<B> {
     retired: Option<Terminal>,
     /// How many have it open.
     users: u64,
+    /// Since when it is open although all who were counted have closed it: the event of another opening, or the end of the close, is
+    /// about to come.
+    unseen: Option<Instant>,
     outgoing: VecDeque<u8>,
     /// A moment, and the cycle that belongs to it.
     since: (Instant, u64),
@@ -68,6 +71,7 @@ impl<B: Behind> Runner<B> {
             terminal,
             retired: None,
             users: 0,
+            unseen: None,
             outgoing,
             since,
         })
@@ -78,7 +82,7 @@ impl<B: Behind> Runner<B> {
         loop {
             let seen = self.terminal.as_ref().map(Terminal::look).transpose()?.unwrap_or_default();
             self.who_came_and_went(seen)?;
-            if seen.bytes {
+            if seen.bytes && self.unseen.is_none() {
                 self.carry_in()?;
             }
             self.board.run_for(SLICE)?;
@@ -102,13 +106,21 @@ impl<B: Behind> Runner<B> {
                 self.terminal = self.retired.take();
             }
         }
-        let used = self.users > 0 || happened.contains(&Happened::Opened);
+        let used = self.users > 0 || self.unseen.is_some() || happened.contains(&Happened::Opened);
         self.count(&happened);
         if used && let Some(terminal) = &self.terminal {
             let left = if happened.is_empty() { seen.left } else { terminal.look()?.left };
-            if left { self.users = 0 } else { self.opened_again()? }
+            let waits = !left && self.users == 0;
+            self.unseen = if waits { Some(self.unseen.unwrap_or_else(Instant::now)) } else { None };
+            if left {
+                self.users = 0;
+            } else if self.unseen.is_some_and(|since| since.elapsed() > EVENT) {
+                // Events that are alike are reported as one: of two who had opened it, one is left.
+                self.users = 1;
+                self.unseen = None;
+            }
         }
-        if used && self.users == 0 {
+        if used && self.users == 0 && self.unseen.is_none() {
             // What was written before it was closed still goes out.
             while self.take_in()? > 0 {}
             self.outgoing.clear();
@@ -118,7 +130,7 @@ impl<B: Behind> Runner<B> {
         Ok(())
     }
 
-    /// Counts who has it open; who opens it first, resets the board.
+    /// Counts who has it open; whoever opens it first resets the board.
     fn count(&mut self, happened: &[Happened]) {
         for happened in happened {
             match happened {
@@ -133,26 +145,6 @@ impl<B: Behind> Runner<B> {
                 Happened::Closed => self.users = self.users.saturating_sub(1),
             }
         }
-    }
-
-    /// A terminal that is open although all have closed it is left to who has opened it again. The terminal knows of that
-    /// before its event comes.
-    fn opened_again(&mut self) -> Result<(), UnoError> {
-        while self.users == 0 {
-            let Some(terminal) = &self.terminal else { return Ok(()) };
-            let happened = terminal.happened_within(EVENT)?;
-            if happened.is_empty() {
-                // Events that are alike are reported as one: of two who had opened it, one is left.
-                self.users = 1;
-                return Ok(());
-            }
-            self.count(&happened);
-            if self.terminal.as_ref().map(Terminal::look).transpose()?.is_some_and(|seen| seen.left) {
-                self.users = 0;
-                return Ok(());
-            }
-        }
-        Ok(())
     }
 
     fn carry_in(&mut self) -> Result<(), UnoError> {
@@ -171,8 +163,12 @@ impl<B: Behind> Runner<B> {
     /// Bytes for a port that is not open are lost, as on a real one.
     fn carry_out(&mut self) -> Result<(), UnoError> {
         let sent = self.board.take_sent();
-        let Some(terminal) = self.terminal.as_ref().filter(|_| self.users > 0) else { return Ok(()) };
+        let is_open = self.users > 0 || self.unseen.is_some();
+        let Some(terminal) = self.terminal.as_ref().filter(|_| is_open) else { return Ok(()) };
         self.outgoing.extend(sent);
+        if self.unseen.is_some() {
+            return Ok(());
+        }
         while !self.outgoing.is_empty() {
             let taken = terminal.write(self.outgoing.make_contiguous())?;
             if taken == 0 {
@@ -221,6 +217,7 @@ impl<B: Behind> Runner<B> {
                 self.terminal = None;
                 self.retired = None;
                 self.users = 0;
+                self.unseen = None;
                 self.outgoing.clear();
                 // Gone already when it was unplugged before.
                 drop(std::fs::remove_file(&self.link));

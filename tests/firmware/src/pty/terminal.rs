@@ -5,7 +5,6 @@ use std::mem::MaybeUninit;
 use std::os::fd::OwnedFd;
 use std::os::unix::ffi::OsStrExt;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::fs::inotify::{self, CreateFlags, ReadFlags, WatchFlags};
@@ -96,16 +95,6 @@ impl Terminal {
                 Err(Errno::AGAIN) => return Ok(happened),
                 Err(why) => return Err(failed("watching a pseudo-terminal")(why)),
             }
-        }
-    }
-
-    /// The same, and waits for it so long.
-    pub(super) fn happened_within(&self, time: Duration) -> Result<Vec<Happened>, UnoError> {
-        let watching = failed("watching a pseudo-terminal");
-        let time = Timespec::try_from(time).map_err(|_| watching(Errno::INVAL))?;
-        match poll(&mut [PollFd::new(&self.watch, PollFlags::IN)], Some(&time)) {
-            Ok(_) | Err(Errno::INTR) => self.happened(),
-            Err(why) => Err(watching(why)),
         }
     }
 

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{Read, Write};
 use std::time::{Duration, Instant};
 
-use serialport::{SerialPort, TTYPort};
+use serialport::TTYPort;
 use wirebend_tests_firmware::{OnPty, Options, Pace, Port, Ram, ResetCause, UnoError};
 
 use super::{edges, started};
@@ -52,8 +52,9 @@ fn a_port_that_is_opened_again_at_once_resets_the_controller_again() {
     let bench = on_pty(true);
     for connection in 1..=5_000 {
         let mut port = open(&bench);
-        port.set_timeout(Duration::from_secs(5)).unwrap();
-        assert!(read(&mut port, 5).starts_with("B02"), "connection {connection}");
+        let mut said = [0; 5];
+        let heard = port.read_exact(&mut said);
+        assert!(heard.is_ok() && said.starts_with(b"B02"), "connection {connection}: {heard:?}");
         assert_eq!(bench.connections(), connection);
     }
     bench.stop().unwrap();
