@@ -17,7 +17,7 @@ const BROWSERS = ["/usr/bin/chromium", "/usr/bin/google-chrome"];
  */
 export const COMPOSITED = "--use-angle=swiftshader";
 
-/** Edges of what it draws in three dimensions are smooth, as on a graphics card: four times the work for the processor. */
+/** Edges of what it draws in three dimensions are smooth, as on a graphics card. On the processor a frame costs a quarter more. */
 export const SMOOTH = "--webgl-antialiasing-mode=explicit";
 
 /** Chromium without a screen; what it draws in three dimensions is computed by the processor, and not smoothed unless it is asked to. */

@@ -8,6 +8,7 @@ import { EditSection } from "../features/edit/EditSection";
 import { ExportSection } from "../features/export/ExportSection";
 import { FrameSection } from "../features/frame/FrameSection";
 import { Legend } from "../features/frame/Legend";
+import { ProfileEditor } from "../features/machine/editor/ProfileEditor";
 import { MachineSection } from "../features/machine/MachineSection";
 import { Panel } from "../features/panel/Panel";
 import { PartsSection } from "../features/parts/PartsSection";
@@ -102,6 +103,9 @@ export function App() {
           <StatusBar />
         </Guard>
       </div>
+      <Guard name="The profile editor">
+        <ProfileEditor />
+      </Guard>
       <Guard name="A dialog">
         <Dialogs />
         <AboutDialog />

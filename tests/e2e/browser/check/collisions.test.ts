@@ -40,6 +40,14 @@ it("finds in Check what the wire hits on its way, frames it, and takes it back w
   await editor.page.keyboard.press("Escape");
   await dialog.waitFor({ state: "detached" });
 
+  // The same from the list of Animate.
+  await animate().getByRole("button", { name: "Enter dimensions…" }).click();
+  await until(() => dialog.locator(".body-row[aria-pressed=true] .ellipsis").allInnerTexts()).toEqual([
+    contact.finding.body,
+  ]);
+  await editor.page.keyboard.press("Escape");
+  await dialog.waitFor({ state: "detached" });
+
   // One bend reaches nothing.
   await editor.loopback.ask("new", {});
   await editor.loopback.ask("edit", {
@@ -55,7 +63,11 @@ it("finds in Check what the wire hits on its way, frames it, and takes it back w
     },
   });
   await editor.reload("check");
-  await check().getByText("No collision found with the machine or with the wire itself").waitFor();
+  const none = check().locator(".line", { hasText: "No collision found with the machine or with the wire itself" });
+  await none.getByRole("button", { name: "Enter dimensions…" }).click();
+  await dialog.locator(".body-row").first().waitFor();
+  await editor.page.keyboard.press("Escape");
+  await dialog.waitFor({ state: "detached" });
   expect(await editor.phrase("check")).toBe("Fine: within limits; no collision found");
 });
 

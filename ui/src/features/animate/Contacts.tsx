@@ -34,7 +34,7 @@ export function Contacts() {
           ))}
         </ul>
       )}
-      {hit ? <Estimates /> : <Nothing others={elsewhere.hits > 0} />}
+      {hit ? <Estimates contacts={contacts} /> : <Nothing others={elsewhere.hits > 0} />}
       <CollisionSettings />
       {shown !== "designed" && <p className="muted small">{OF_DESIGNED}</p>}
       {(contacts.length > 0 || others) && <Avoid />}
@@ -61,15 +61,19 @@ function Contact({ contact }: { readonly contact: PlayedContact }) {
 }
 
 /** How many bodies are not measured, once for all of the list. */
-function Estimates() {
+function Estimates({ contacts }: { readonly contacts: readonly PlayedContact[] }) {
   const found = useDesign(({ collisions }) => collisions?.found);
   const text = found && estimatesOf(found);
   return text ? (
     <p className="muted small">
-      {text} {found.estimates > 0 && <EnterDimensions />}
+      {text} {found.estimates > 0 && <EnterDimensions body={hitFirst(contacts)} />}
     </p>
   ) : null;
 }
+
+/** The first body that is hit and not measured. */
+const hitFirst = (contacts: readonly PlayedContact[]): string | null =>
+  contacts.find(({ estimated }) => estimated)?.finding.body ?? null;
 
 /** Why there are none. `others`: other wires have some. */
 function Nothing({ others }: { readonly others: boolean }) {
@@ -82,5 +86,9 @@ function Nothing({ others }: { readonly others: boolean }) {
     : stands === "running" || stands === "waiting"
       ? "Checking for collisions…"
       : "Collisions are not checked.";
-  return <p className="two-lines muted small">{text}</p>;
+  return (
+    <p className="two-lines muted small">
+      {text} {found?.checked && found.estimates > 0 && <EnterDimensions />}
+    </p>
+  );
 }

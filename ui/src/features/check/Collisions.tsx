@@ -13,15 +13,9 @@ export function Collisions() {
   const found = useDesign(({ collisions }) => collisions?.found);
   // What was found a moment ago stays until the next answer is there.
   if (found && (stands === "running" || stands === "done")) {
-    const dimensions = found.estimates > 0 && <EnterDimensions />;
     if (!found.checked)
       return (
-        <Line
-          tone="info"
-          what="Wires without a program are not checked for collisions"
-          sub={estimatesOf(found)}
-          action={dimensions}
-        />
+        <Line tone="info" what="Wires without a program are not checked for collisions" sub={estimatesOf(found)} />
       );
     if (found.contacts.some(({ depth_mm }) => depth_mm >= 0)) return null;
     return (
@@ -29,7 +23,7 @@ export function Collisions() {
         tone="fine"
         what="No collision found with the machine or with the wire itself"
         sub={estimatesOf(found)}
-        action={dimensions}
+        action={found.estimates > 0 && <EnterDimensions />}
       />
     );
   }

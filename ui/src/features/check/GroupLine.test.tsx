@@ -11,7 +11,7 @@ import { useDesign } from "../../state/design/design";
 import { useFixAll } from "../../state/design/fixes/fix_all";
 import { REST, useFixes } from "../../state/design/fixes/fixes";
 import { useSelection } from "../../state/design/selection";
-import { useProfile } from "../../state/machine/profile";
+import { closeProfile, useProfile } from "../../state/machine/profile";
 import { designState } from "../../state/testing";
 import { useUi } from "../../state/window/ui";
 import { GroupLine } from "./GroupLine";
@@ -103,6 +103,7 @@ describe("a line of the checks", () => {
     expect(useProfile.getState()).toMatchObject({ open: { id: "mine" }, part: "bodies", body: "head" });
     show([hit("peg", false), hit("nozzle", false)]);
     expect(host.textContent).not.toContain("Enter dimensions");
+    closeProfile();
   });
 
   it("highlights nothing any more when it goes away under the pointer", () => {

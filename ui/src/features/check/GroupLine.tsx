@@ -13,7 +13,7 @@ import { EnterDimensions } from "./EnterDimensions";
 import { FixAllOffer } from "./FixAllOffer";
 import { FixList } from "./FixList";
 import { placesOfAll, showPlaces } from "./places";
-import { figuresOf, type Group, isEstimated, measureText, sourceOf, TONES, titleOf, whatOf } from "./texts";
+import { figuresOf, type Group, isEstimated, measureText, sourceOf, TONES, titleOf, whatOf, worstOf } from "./texts";
 import { wayOut } from "./ways";
 
 /** More places than these are not listed one by one. */
@@ -82,7 +82,7 @@ export function GroupLine({ group }: { readonly group: Group }) {
   const way = fixable ? null : wayOut(first?.code ?? "", stencil);
   const places = placesOfAll(reports);
   const somewhere = places.vertices.length + places.edges.length > 0;
-  const estimated = reports.find(isEstimated);
+  const estimated = worstOf(reports.filter(isEstimated));
   // The grey line has no room for it beside its figures.
   const help = single && first.unit ? first.help : "";
   const shown = help ? ADVICE : somewhere ? "Show" : null;

@@ -222,7 +222,7 @@ function isLeast({ code, value, limit, severity }: DiagnosticReport): boolean {
 }
 
 /** The value that is farthest from what is allowed: the smallest where the limit is a least, else the largest. */
-function worstOf(reports: readonly DiagnosticReport[]): DiagnosticReport | undefined {
+export function worstOf(reports: readonly DiagnosticReport[]): DiagnosticReport | undefined {
   const [first] = reports;
   const sign = first && isLeast(first) ? 1 : -1;
   // Of collisions the deepest, and of what is only near the nearest.

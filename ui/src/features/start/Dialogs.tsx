@@ -1,11 +1,10 @@
-import { ProfileEditor } from "../machine/editor/ProfileEditor";
 import { ClosingDialog } from "./ClosingDialog";
 import { ExamplesDialog } from "./ExamplesDialog";
 import { KeysDialog } from "./KeysDialog";
 import { LeavingDialog } from "./LeavingDialog";
 import { OpeningDialog } from "./OpeningDialog";
 
-/** What has to be answered, is looked up or is entered over the window. */
+/** What has to be answered, or is looked up, over the window. */
 export function Dialogs() {
   return (
     <>
@@ -14,7 +13,6 @@ export function Dialogs() {
       <OpeningDialog />
       <LeavingDialog />
       <ClosingDialog />
-      <ProfileEditor />
     </>
   );
 }

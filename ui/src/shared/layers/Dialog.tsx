@@ -34,6 +34,7 @@ export function Dialog({
   useEffect(() => {
     const shown = dialog.current;
     const before = document.activeElement;
+    const section = before?.closest("section")?.querySelector<HTMLElement>("h2 button");
     shown?.showModal();
     const first =
       shown?.querySelector<HTMLElement>("[data-first]") ??
@@ -42,7 +43,8 @@ export function Dialog({
     first?.focus();
     return () => {
       shown?.close();
-      if (before instanceof HTMLElement) before.focus();
+      // What has opened it may be gone by what was done in it: then where that was.
+      if (before instanceof HTMLElement) (before.isConnected ? before : section)?.focus();
     };
   }, []);
   return (

@@ -22,7 +22,7 @@ export interface EnteredSource {
 interface ProfileStore {
   /** The profile whose editor is open. */
   readonly open: { readonly kind: ProfileKind; readonly id: string } | null;
-  /** What of it is shown. */
+  /** Which part of it is shown. */
   readonly part: ProfilePart;
   /** The body that is chosen first, by its name. */
   readonly body: string | null;
@@ -96,7 +96,7 @@ export function openBodies(body: string | null): void {
 }
 
 export function showPart(part: ProfilePart): void {
-  useProfile.setState({ part });
+  useProfile.setState({ part, body: null });
 }
 
 export function closeProfile(): void {

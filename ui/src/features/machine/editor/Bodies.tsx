@@ -145,11 +145,11 @@ export function Bodies({ why }: { readonly why: string | null }) {
   );
 }
 
-/** The place of the body that was asked for by its name. */
+/** The place of the body that was asked for by its name: of several the first that is not measured. */
 function firstChosen(): number | null {
   const { view, body } = useProfile.getState();
-  const at = view?.shapes.findIndex(({ name }) => name === body) ?? -1;
-  return at < 0 ? null : at;
+  const called = [...(view?.shapes ?? NONE).entries()].filter(([, { name }]) => name === body);
+  return (called.find(([, { measured }]) => !measured) ?? called[0])?.[0] ?? null;
 }
 
 /** All of a body as the parent has it, also what the parent leaves out. */
