@@ -66,6 +66,8 @@ it("says what was in the way of a search, leads there, and makes what was tried 
   const expected = animate().locator(".expected");
   const accuracy = expected.locator("..");
   for (const below of [expected, accuracy]) {
+    // What is above the panel's upper edge has no pointer on it.
+    await below.evaluate((element) => element.scrollIntoView({ block: "center" }));
     const { x, y } = (await below.boundingBox()) ?? { x: 0, y: 0 };
     await editor.page.mouse.move(x + 40, y - 3);
     await editor.page.keyboard.press("Control+z");
