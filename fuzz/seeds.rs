@@ -4,26 +4,32 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use wirebend_fuzz::TARGETS;
 
-/// The names in a folder beside this file.
+/// A path from this folder on.
+fn here(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+/// What a folder has in it.
+fn paths(folder: &str) -> Vec<PathBuf> {
+    fs::read_dir(here(folder)).unwrap().map(|entry| entry.unwrap().path()).collect()
+}
+
+/// The names of what a folder has in it.
 fn names(folder: &str) -> BTreeSet<String> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
-    let stem = |path: &Path| path.file_stem().unwrap().to_str().unwrap().to_owned();
-    fs::read_dir(folder).unwrap().map(|entry| stem(&entry.unwrap().path())).collect()
+    paths(folder).iter().map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned()).collect()
 }
 
 #[test]
 fn every_target_takes_its_seeds() {
     for (name, target) in TARGETS {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("seeds").join(name);
-        let seeds: Vec<_> =
-            fs::read_dir(folder).unwrap().map(|entry| fs::read(entry.unwrap().path()).unwrap()).collect();
+        let seeds = paths(&format!("seeds/{name}"));
         assert!(!seeds.is_empty(), "{name} has no seeds");
-        for seed in &seeds {
-            target(seed);
+        for seed in seeds {
+            target(&fs::read(seed).unwrap());
         }
     }
 }
@@ -34,10 +40,10 @@ fn every_target_has_its_program() {
     let known: BTreeSet<_> = TARGETS.iter().map(|(name, _)| (*name).to_owned()).collect();
     assert_eq!(names("fuzz_targets"), known);
     assert_eq!(names("seeds"), known);
-    let manifest = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml")).unwrap();
+    let manifest = fs::read_to_string(here("Cargo.toml")).unwrap();
     for name in known {
         let path = format!("fuzz_targets/{name}.rs");
-        let program = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(&path)).unwrap();
+        let program = fs::read_to_string(here(&path)).unwrap();
         let call = format!("libfuzzer_sys::fuzz_target!(|bytes: &[u8]| wirebend_fuzz::{name}(bytes));");
         assert_eq!(program, format!("#![no_main]\n\n{call}\n"));
         assert!(

@@ -33,20 +33,19 @@ it("finds in Check what the wire hits on its way, frames it, and takes it back w
   await line.locator(".line-action button").click();
   await line.getByRole("button", { name: "Enter dimensions…" }).click();
   const dialog = editor.page.getByRole("dialog");
-  await until(() => dialog.locator(".body-row[aria-pressed=true] .ellipsis").allInnerTexts()).toEqual([
-    contact.finding.body,
-  ]);
+  const chosen = () => dialog.locator(".body-row[aria-pressed=true] .ellipsis").allInnerTexts();
+  const leave = async () => {
+    await editor.page.keyboard.press("Escape");
+    await dialog.waitFor({ state: "detached" });
+  };
+  await until(chosen).toEqual([contact.finding.body]);
   await editor.isClean("check-enter-dimensions");
-  await editor.page.keyboard.press("Escape");
-  await dialog.waitFor({ state: "detached" });
+  await leave();
 
   // The same from the list of Animate.
   await animate().getByRole("button", { name: "Enter dimensions…" }).click();
-  await until(() => dialog.locator(".body-row[aria-pressed=true] .ellipsis").allInnerTexts()).toEqual([
-    contact.finding.body,
-  ]);
-  await editor.page.keyboard.press("Escape");
-  await dialog.waitFor({ state: "detached" });
+  await until(chosen).toEqual([contact.finding.body]);
+  await leave();
 
   // One bend reaches nothing.
   await editor.loopback.ask("new", {});
@@ -66,8 +65,7 @@ it("finds in Check what the wire hits on its way, frames it, and takes it back w
   const none = check().locator(".line", { hasText: "No collision found with the machine or with the wire itself" });
   await none.getByRole("button", { name: "Enter dimensions…" }).click();
   await dialog.locator(".body-row").first().waitFor();
-  await editor.page.keyboard.press("Escape");
-  await dialog.waitFor({ state: "detached" });
+  await leave();
   expect(await editor.phrase("check")).toBe("Fine: within limits; no collision found");
 });
 
