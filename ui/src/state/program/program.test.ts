@@ -31,6 +31,26 @@ describe("makeProgram", () => {
     expect(asked("program")).toBe(2);
   });
 
+  it("asks for the design as it is once the question of the one before is answered", async () => {
+    const both = [makeProgram()];
+    useDesign.setState({ vertices: new Map() });
+    both.push(makeProgram(), makeProgram());
+    expect(asked("program")).toBe(1);
+    expect(await Promise.all(both)).toEqual([true, true, true]);
+    expect(isUpToDate()).toBe(true);
+    expect(asked("program")).toBe(2);
+  });
+
+  it("does not ask in the place of a program that is forgotten meanwhile", async () => {
+    const both = [makeProgram()];
+    useDesign.setState({ vertices: new Map() });
+    both.push(makeProgram());
+    forgetProgram();
+    expect(await Promise.all(both)).toEqual([false, false]);
+    expect(asked("program")).toBe(1);
+    expect(useProgram.getState()).toMatchObject({ program: null, asking: false });
+  });
+
   it("takes a design for the same when only its notes or its file have changed", async () => {
     await makeProgram();
     useDesign.setState({ state: { ...state, notes: "for Ada", file: "/there/u.wirebend", changed: false } });

@@ -127,8 +127,10 @@ export function useStale(): boolean {
 /** Whether the program is that of the design as it is. */
 export const isUpToDate = (): boolean => same(useProgram.getState().basis, basisNow());
 
-/** Of several questions only the last one's answer counts: the design may be another by then. */
-let asked = 0;
+/** How often the program was forgotten: what was asked before is no answer then. */
+let forgotten = 0;
+/** The question that is on its way. */
+let underway: Promise<unknown> = Promise.resolve();
 
 /** Brings the program up to date; true when there is one. */
 export async function makeProgram(): Promise<boolean> {
@@ -138,9 +140,21 @@ export async function makeProgram(): Promise<boolean> {
   if (!state) return false;
   const machine = basis.file?.machine ?? state.machine;
   if (same(useProgram.getState().basis, basis)) return useProgram.getState().program !== null;
-  if (useProgram.getState().asking) return false;
-  asked += 1;
-  const question = asked;
+  const before = forgotten;
+  if (useProgram.getState().asking) {
+    // It was asked of the design as it was then, and one question is on its way at a time.
+    await underway;
+    return before === forgotten && makeProgram();
+  }
+  underway = ask(basis, machine);
+  await underway;
+  if (before !== forgotten) return false;
+  return (useProgram.getState().program?.wires.length ?? 0) > 0;
+}
+
+/** Asks for the program, and shows it where it is played. */
+async function ask(basis: Basis, machine: string | null): Promise<void> {
+  const before = forgotten;
   useProgram.setState({ asking: true });
   let answer: Partial<ProgramStore>;
   try {
@@ -151,11 +165,10 @@ export async function makeProgram(): Promise<boolean> {
     const problem = error instanceof Error ? error.message : String(error);
     answer = { program: null, machine: null, basis, made: null, problem };
   }
-  if (question !== asked) return false;
+  if (before !== forgotten) return;
   useProgram.setState({ ...answer, asking: false });
   const { played, step } = usePlayback.getState();
   if (played) show(step);
-  return (useProgram.getState().program?.wires.length ?? 0) > 0;
 }
 
 /** Asks how the machine bends it, which may take a while; true when it is known. */
@@ -176,7 +189,7 @@ export async function simulate(): Promise<boolean> {
 
 /** Forgets the program, such as that of a design that was closed. */
 export function forgetProgram(): void {
-  asked += 1;
+  forgotten += 1;
   useProgram.setState({ ...NONE });
   showDesignAgain();
 }
