@@ -1,3 +1,5 @@
+import type { RunFileReport } from "../../generated/responses";
+import { Button } from "../../shared/controls/Button";
 import { Checkbox } from "../../shared/controls/inputs";
 import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
@@ -6,6 +8,8 @@ import { useDesign } from "../../state/design/design";
 import { type PlayedContact, setStops, useContacts, useStops } from "../../state/program/contacts";
 import { jump } from "../../state/program/player";
 import { usePlayback } from "../../state/program/program";
+import { useRunFile } from "../../state/program/run_file";
+import { useUi } from "../../state/window/ui";
 import { EnterDimensions } from "../check/EnterDimensions";
 import { estimatesOf } from "../check/texts";
 import { Avoid } from "./Avoid";
@@ -17,11 +21,13 @@ const OF_DESIGNED = "Collisions are those of the wire as designed. The wire as m
 
 /** Where the wire hits something, and whether playing stops there. */
 export function Contacts() {
-  const { contacts, elsewhere } = useContacts();
+  const { known, contacts, elsewhere } = useContacts();
+  const file = useRunFile((run) => run.file);
   const stops = useStops(({ on }) => on);
   const shown = usePlayback((playback) => playback.shown);
   const others = elsewhereOf(elsewhere);
   const hit = contacts.some(({ depth_mm }) => depth_mm >= 0);
+  if (file) return <OfFile kind={file.kind} />;
   return (
     <div className="stack">
       <Checkbox checked={stops} onChange={setStops}>
@@ -34,7 +40,7 @@ export function Contacts() {
           ))}
         </ul>
       )}
-      {hit ? <Estimates contacts={contacts} /> : <Nothing others={elsewhere.hits > 0} />}
+      {hit ? <Estimates contacts={contacts} /> : <Nothing known={known} others={elsewhere.hits > 0} />}
       <CollisionSettings />
       {shown !== "designed" && <p className="muted small">{OF_DESIGNED}</p>}
       {(contacts.length > 0 || others) && <Avoid />}
@@ -75,20 +81,37 @@ function Estimates({ contacts }: { readonly contacts: readonly PlayedContact[] }
 const hitFirst = (contacts: readonly PlayedContact[]): string | null =>
   contacts.find(({ estimated }) => estimated)?.finding.body ?? null;
 
-/** Why there are none. `others`: other wires have some. */
-function Nothing({ others }: { readonly others: boolean }) {
+/** Why there are none. `known`: those of the design are those of the program; `others`: other wires have some. */
+function Nothing({ known, others }: { readonly known: boolean; readonly others: boolean }) {
   const { stands } = useCollisions();
   const found = useDesign(({ collisions }) => collisions?.found);
-  const text = found?.checked
-    ? [others ? "No collision of this wire found." : "No collision found.", estimatesOf(found)]
+  const checked = known && found?.checked ? found : null;
+  // What was found before the last change says nothing of the design as it is.
+  const checking = !known && (found?.checked || stands === "running" || stands === "waiting");
+  const text = checked
+    ? [others ? "No collision of this wire found." : "No collision found.", estimatesOf(checked)]
         .filter(Boolean)
         .join(" ")
-    : stands === "running" || stands === "waiting"
+    : checking
       ? "Checking for collisions…"
       : "Collisions are not checked.";
   return (
     <p className="two-lines muted small">
-      {text} {found?.checked && found.estimates > 0 && <EnterDimensions />}
+      {text} {checked && checked.estimates > 0 && <EnterDimensions />}
+    </p>
+  );
+}
+
+/** A file has been checked when it was opened. */
+function OfFile({ kind }: Pick<RunFileReport, "kind">) {
+  const showSection = useUi((ui) => ui.showSection);
+  if (kind === "moves") return <p className="muted small">Recorded moves are not checked for collisions.</p>;
+  return (
+    <p className="muted small">
+      What the checks found in the file is in{" "}
+      <Button kind="link" aria-controls="section-run" onClick={() => showSection("run")}>
+        Run
+      </Button>
     </p>
   );
 }

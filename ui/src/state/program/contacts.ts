@@ -31,19 +31,19 @@ function played(contacts: readonly ContactReport[]): readonly PlayedContact[] {
   return sorted;
 }
 
-/** Those of all wires of the program; none where they are of another design than it is. */
-function ofProgram(upToDate: boolean): readonly PlayedContact[] {
+/** Those of all wires of the program; null where it is not known, such as where they are of another design than it is. */
+function ofProgram(upToDate: boolean): readonly PlayedContact[] | null {
   const { collisions, version } = useDesign.getState();
   // They are those of the design.
-  if (useRunFile.getState().file) return NONE;
-  if (!collisions || collisions.dragged || collisions.version !== version || !upToDate) return NONE;
+  if (useRunFile.getState().file) return null;
+  if (!collisions || collisions.dragged || collisions.version !== version || !upToDate) return null;
   return played(collisions.found.contacts);
 }
 
 /** Those of the wire that is shown, in their order. */
 const contactsNow = (): readonly PlayedContact[] => {
   const { wire } = useProgram.getState();
-  return ofProgram(isUpToDate()).filter((contact) => contact.wire === wire);
+  return (ofProgram(isUpToDate()) ?? NONE).filter((contact) => contact.wire === wire);
 };
 
 /** How often wires hit something, and how often they only come nearer than the clearance. */
@@ -52,16 +52,26 @@ export interface Met {
   readonly near: number;
 }
 
-/** The same for what is drawn anew when they change: of the wire that is shown, and how many the others have. */
-export function useContacts(): { readonly contacts: readonly PlayedContact[]; readonly elsewhere: Met } {
+interface Contacts {
+  /** Whether what was found is that of the program. */
+  readonly known: boolean;
+  /** Of the wire that is shown. */
+  readonly contacts: readonly PlayedContact[];
+  /** How many the others have. */
+  readonly elsewhere: Met;
+}
+
+/** The same for what is drawn anew when they change. */
+export function useContacts(): Contacts {
   useDesign(({ collisions }) => collisions);
   useDesign(({ version }) => version);
   useRunFile();
   const wire = useProgram((program) => program.wire);
-  const all = ofProgram(!useStale());
+  const found = ofProgram(!useStale());
+  const all = found ?? NONE;
   const contacts = all.filter((contact) => contact.wire === wire);
   const hits = hitsOf(all).length - hitsOf(contacts).length;
-  return { contacts, elsewhere: { hits, near: all.length - contacts.length - hits } };
+  return { known: found !== null, contacts, elsewhere: { hits, near: all.length - contacts.length - hits } };
 }
 
 /** Those at which something is hit: others only come nearer than the clearance. */
