@@ -22,16 +22,16 @@ const SHARE_OF_ONE: u64 = 40;
 const SHARE_OF_WIRES: u64 = 4;
 
 /// Looks with one change after the other until a person has had enough.
-struct Trials<'a, O> {
+struct Trials<'a> {
     routes: &'a [Route],
-    observer: &'a mut O,
+    observer: &'a mut dyn PlanObserver,
     /// How many steps were checked, and how many may be.
     looked: u64,
     of: u64,
     ended: bool,
 }
 
-impl<O: PlanObserver> Trials<'_, O> {
+impl Trials<'_> {
     /// The walks that meet nothing, if some are found.
     fn look(
         &mut self,
@@ -43,7 +43,7 @@ impl<O: PlanObserver> Trials<'_, O> {
             return None;
         }
         let (before, of, observer, ended) = (self.looked, self.of, &mut *self.observer, &mut self.ended);
-        let found = searching.look(self.routes, doubled, options, |progress| {
+        let found = searching.look(self.routes, doubled, options, &mut |progress| {
             *ended |= !observer.trying((before + progress.checks).min(of), of);
             !*ended
         })?;
@@ -59,7 +59,7 @@ impl Searching<'_> {
         (routes, doubled): (&[Route], &[EdgeId]),
         obstacle: Option<VertexId>,
         options: &SearchOptions,
-        observer: &mut impl PlanObserver,
+        observer: &mut dyn PlanObserver,
     ) -> Helps {
         let most = options.max_wires.max(1);
         let more = SearchOptions {

@@ -273,13 +273,24 @@ pub fn plan_wires(
     options: &PlanOptions,
     mut observer: impl PlanObserver,
 ) -> Vec<WirePlan> {
+    plan_observed(wireframe, component, machine, options, &mut observer)
+}
+
+/// The same, compiled once for all observers.
+fn plan_observed(
+    wireframe: &Wireframe,
+    component: &Component,
+    machine: &Machine,
+    options: &PlanOptions,
+    observer: &mut dyn PlanObserver,
+) -> Vec<WirePlan> {
     let max_bend = Some(routing::largest_bend(machine));
     let Routed { mut doubled, mut proposal, mut routes, forced, mut refusals } =
         routing::find(wireframe, component, max_bend, options, &mut |stage| observer.done(stage));
     let mut schedules: Vec<ScheduledProgram> = Vec::new();
     let mut searched = None;
     let search = Searching { wireframe, component, machine, options };
-    if let Some(found) = search.find((&routes, &doubled), &forced, &mut observer) {
+    if let Some(found) = search.find((&routes, &doubled), &forced, observer) {
         refusals.extend(search.finding(&found.searched, found.helps));
         (routes, schedules) = found.wires.into_iter().map(|wire| (wire.route, wire.scheduled)).unzip();
         doubled = routing::repeated(&routes);

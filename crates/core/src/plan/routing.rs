@@ -43,7 +43,7 @@ pub(super) fn find(
     component: &Component,
     max_bend: Option<Angle>,
     options: &PlanOptions,
-    done: &mut impl FnMut(Stage),
+    done: &mut dyn FnMut(Stage),
 ) -> Routed {
     let proposed = proposal(wireframe, component, options);
     let mut found = Routed {

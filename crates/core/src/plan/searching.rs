@@ -48,14 +48,14 @@ impl Searching<'_> {
         &self,
         (routes, doubled): (&[Route], &[EdgeId]),
         forced: &[ForcedBend],
-        observer: &mut impl PlanObserver,
+        observer: &mut dyn PlanObserver,
     ) -> Option<SearchedWires> {
         let options = self.options;
         let wanted = options.search.as_ref().filter(|_| !routes.is_empty() && forced.is_empty())?;
         let most = if options.closed { wanted.effort } else { wanted.most_checks() };
         let mut ended = false;
         let task = Doubled { edges: doubled, is_free: self.is_free() };
-        let outcome = self.look(routes, task, wanted, |progress| {
+        let outcome = self.look(routes, task, wanted, &mut |progress| {
             ended |= !observer.searching(progress, most);
             !ended
         })?;
@@ -88,7 +88,7 @@ impl Searching<'_> {
         routes: &[Route],
         doubled: Doubled,
         wanted: &SearchOptions,
-        should_continue: impl FnMut(SearchProgress) -> bool,
+        should_continue: &mut dyn FnMut(SearchProgress) -> bool,
     ) -> Option<SearchOutcome> {
         let Self { wireframe, component, machine, options } = *self;
         let seconds = |bend| bend_seconds(machine, bend);

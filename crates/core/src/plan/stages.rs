@@ -34,7 +34,7 @@ impl Stages<'_> {
         index: usize,
         plan: &mut WirePlan,
         already: Vec<Diagnostic>,
-        done: &mut impl FnMut(Stage),
+        done: &mut dyn FnMut(Stage),
     ) {
         let Self { wireframe, machine, .. } = *self;
         let mut failures = Failures::default();
@@ -97,7 +97,7 @@ fn run_stages(
     machine: &Machine,
     plan: &mut WirePlan,
     failures: &mut Failures,
-    done: &mut impl FnMut(Stage),
+    done: &mut dyn FnMut(Stage),
 ) {
     let Some(route) = &plan.route else { return };
     let position = |vertex| wireframe.vertex(vertex).map(|vertex| vertex.position);

@@ -170,7 +170,7 @@ pub fn search(
     bender: &Bender,
     task: &SearchTask,
     options: &SearchOptions,
-    mut should_continue: impl FnMut(SearchProgress) -> bool,
+    should_continue: &mut dyn FnMut(SearchProgress) -> bool,
 ) -> Option<SearchOutcome> {
     let best_of = |route: &Route| {
         let backwards = (!task.keep_routes && task.start.is_none()).then(|| route.reversed());

@@ -59,7 +59,7 @@ impl<'a> Search<'a> {
 
     /// The best wires that it finds: after the first ones it goes on for as long again.
     /// `should_continue` is told how many steps were checked, and how good the best is.
-    pub fn run(&mut self, should_continue: &mut impl FnMut(u64, Option<Order>) -> bool) -> Option<Found> {
+    pub fn run(&mut self, should_continue: &mut dyn FnMut(u64, Option<Order>) -> bool) -> Option<Found> {
         let mut rng = ChaCha8Rng::seed_from_u64(self.options.seed);
         let mut best: Option<(Found, Order)> = None;
         let order_of = |best: &Option<(Found, Order)>| best.as_ref().map(|(_, order)| *order);
@@ -115,7 +115,7 @@ impl<'a> Search<'a> {
         passes: &Passes,
         until: u64,
         rng: &mut ChaCha8Rng,
-        should_continue: &mut impl FnMut(u64) -> bool,
+        should_continue: &mut dyn FnMut(u64) -> bool,
     ) -> Option<Found> {
         let starts = self.starts(passes);
         let mut exhausted = true;
@@ -140,7 +140,7 @@ impl<'a> Search<'a> {
         (begin, noise): ((usize, Orientation), f64),
         until: u64,
         rng: &mut ChaCha8Rng,
-        should_continue: &mut impl FnMut(u64) -> bool,
+        should_continue: &mut dyn FnMut(u64) -> bool,
     ) -> (Option<Found>, bool) {
         let mut walk = Walk::new(self.wireframe, self.bender, passes, self.wires, rng);
         let before = self.checks;

@@ -95,7 +95,7 @@ impl<'a> Walk<'a> {
         &mut self,
         (start, orientation): (usize, Orientation),
         noise: f64,
-        should_continue: &mut impl FnMut(u64) -> bool,
+        should_continue: &mut dyn FnMut(u64) -> bool,
     ) -> Option<Found> {
         self.used.fill(false);
         (self.count, self.noise) = (0, noise);
