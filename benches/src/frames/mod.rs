@@ -3,11 +3,11 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // a benchmark may stop at what cannot be
 #![allow(missing_docs, clippy::must_use_candidate, clippy::missing_panics_doc, clippy::missing_errors_doc)] // of tests, and for the benchmarks alone
 
-#[path = "../../../crates/core/tests/all/sequence/brute.rs"]
+#[path = "../../../crates/sequence/tests/all/brute.rs"]
 pub mod brute;
-#[path = "../../../crates/core/tests/all/sequence/frames.rs"]
+#[path = "../../../crates/sequence/tests/all/frames.rs"]
 pub mod built;
 pub mod models;
 pub mod peer;
-#[path = "../../../crates/core/tests/all/accuracy/truss.rs"]
+#[path = "../../../crates/accuracy/tests/all/truss.rs"]
 pub mod truss;

@@ -12,7 +12,6 @@
 
 #![deny(missing_docs)]
 
-pub mod accuracy;
 pub mod bend;
 pub mod calibrate;
 pub mod checks;
@@ -27,7 +26,6 @@ pub mod route;
 pub mod sag;
 pub mod schedule;
 pub mod search;
-pub mod sequence;
 pub mod simulate;
 #[cfg(test)]
 mod testing;

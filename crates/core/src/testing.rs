@@ -78,16 +78,6 @@ pub(crate) fn published_machine() -> Machine {
     }
 }
 
-/// The steel wire of Bend-Forming, by its diameter in mm.
-pub(crate) fn steel_wire(diameter: f64) -> WireModel {
-    WireModel {
-        diameter: mm(diameter),
-        density_kg_per_m3: 7800.0,
-        youngs_modulus_gpa: 200.0,
-        price_per_mm: None,
-    }
-}
-
 /// A wireframe of points and edges between them.
 pub(crate) fn wireframe(points: &[[f64; 3]], edges: &[(usize, usize)]) -> Wireframe {
     let mut w = Wireframe::new();

@@ -142,7 +142,8 @@ impl Length {
 
     /// A length from a number that arithmetic on finite numbers gave (overflow saturates, and NaN,
     /// which such arithmetic cannot give, becomes zero).
-    pub(crate) const fn computed(mm: f64) -> Self {
+    #[must_use]
+    pub const fn computed(mm: f64) -> Self {
         if mm.is_nan() { Self(0.0) } else { Self(saturate(mm)) }
     }
 
@@ -264,7 +265,8 @@ impl Angle {
     }
 
     /// An angle from a number that arithmetic on finite numbers gave (see [`Length::computed`]).
-    pub(crate) const fn computed(rad: f64) -> Self {
+    #[must_use]
+    pub const fn computed(rad: f64) -> Self {
         if rad.is_nan() { Self(0.0) } else { Self(saturate(rad)) }
     }
 

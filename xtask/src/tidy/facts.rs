@@ -1,27 +1,27 @@
-//! Rule: `core` says facts, not prose. It formats nothing but units and ids, holds no text of several words, and its
-//! errors give no advice.
+//! Rule: `core`, `accuracy` and `sequence` say facts, not prose. They format nothing but units and ids, hold no text of several
+//! words, and their errors give no advice.
 
 use std::ops::Range;
 
-use super::PURE_ROOM;
 use super::finding::Finding;
+use super::is_pure;
 use super::rust_source::{attributes, code_only, item_end, line_at, strings, test_items, words};
 use super::tree::TreeFile;
 
-const WHY: &str = "a sentence in core is worded again by every front end, and not all of them are found";
+const WHY: &str =
+    "a sentence in a pure room is worded again by every front end, and not all of them are found";
 const TO_DO: &str =
     "carry the figures in a Fact, a Remedy or an error, and word them in crates/planning/src/text";
 
 /// Words with which an error would advise a person what to do.
 const ADVICE: &[&str] = &["give", "choose", "leave", "correct", "try", "please", "instead"];
 
-/// Prose in the code of `core` that is not a test.
+/// Prose in the code of the pure rooms that is not a test.
 pub(super) fn check(files: &[TreeFile]) -> Vec<Finding> {
-    let sources = format!("{PURE_ROOM}/src/");
     let is_code = |file: &&TreeFile| {
         let test = ["/tests.rs", "/testing.rs"].iter().any(|name| file.path.ends_with(name))
             || file.path.contains("/tests/");
-        file.path.starts_with(&sources) && file.has_extension(&["rs"]) && !test
+        is_pure(&file.path) && file.has_extension(&["rs"]) && !test
     };
     files.iter().filter(is_code).flat_map(check_source).collect()
 }
@@ -31,7 +31,7 @@ fn check_source(file: &TreeFile) -> Vec<Finding> {
     let code = code_only(source);
     let tests = test_items(&code);
     let found = formatting(&code)
-        .map(|(at, name)| (at, format!("core formats text with {name}")))
+        .map(|(at, name)| (at, format!("formats text with {name}")))
         .chain(texts(source, &code));
     found
         .filter(|(at, _)| !within(&tests, *at))
@@ -56,13 +56,13 @@ fn texts<'s>(source: &'s str, code: &'s str) -> impl Iterator<Item = (usize, Str
         let at = text.start;
         let text = &source[text];
         let Some(attribute) = attributes.iter().find(|attribute| attribute.contains(&at)) else {
-            return is_prose(text).then(|| (at, format!("core holds the text {text}")));
+            return is_prose(text).then(|| (at, format!("holds the text {text}")));
         };
         let of_error = code[attribute.clone()].starts_with("#[error");
         let advice = ADVICE.iter().find(|advice| words(text, advice).next().is_some());
         let option = ["--", "`"].iter().find(|option| text.contains(**option));
         let word = advice.or(option).filter(|_| of_error)?;
-        Some((at, format!("an error of core says '{word}', which is advice or a front end's word")))
+        Some((at, format!("an error says '{word}', which is advice or a front end's word")))
     })
 }
 
@@ -93,21 +93,28 @@ mod tests {
     fn text_that_is_formatted_is_found() {
         let source =
             "fn f() -> String {\n    format!(\"{}\", 1)\n}\nfn g(out: &mut W) { write!(out, \"x\") }";
-        let expected = ["2: core formats text with format!", "4: core formats text with write!"];
+        let expected = ["2: formats text with format!", "4: formats text with write!"];
         assert_eq!(found_in(source), expected);
     }
 
     #[test]
     fn a_sentence_is_found_and_a_name_is_not() {
         let source = "const A: &str = \"weld_tolerance\";\nconst B: &str = \"the weld tolerance\";\ncodes! { /// An edge has no length.\n X = \"y z\", }";
-        assert_eq!(found_in(source), ["2: core holds the text \"the weld tolerance\""]);
+        assert_eq!(found_in(source), ["2: holds the text \"the weld tolerance\""]);
     }
 
     #[test]
     fn units_documentation_and_tests_are_free() {
         let source = "//! Some words here: format!(\"a b\").\nimpl fmt::Display for Length {\n    fn fmt(&self) { write!(f, \"{:.1} mm\", self.0) }\n}\n#[doc = \"some words\"]\n#[cfg(test)]\nmod tests { fn f() { panic!(\"{}\", format!(\"not here\")) } }";
         assert_eq!(found_in(source), [""; 0]);
-        assert!(check(&[file("crates/files/src/x.rs", "fn f() { format!(\"a b\") }")]).is_empty());
+        let formats = |path| check(&[file(path, "fn f() { format!(\"a b\") }")]).len();
+        let places = [
+            "crates/files/src/x.rs",
+            "crates/core/tests/x.rs",
+            "crates/accuracy/src/x.rs",
+            "crates/sequence/src/a/b.rs",
+        ];
+        assert_eq!(places.map(formats), [0, 0, 1, 1]);
     }
 
     #[test]
@@ -115,7 +122,7 @@ mod tests {
         let source = "#[error(\"there is no edge {0}\")]\nstruct A;\n#[error(\n    \"too short; give a longer one\"\n)]\nstruct B;\n#[error(\"not there: see --help\")]\nstruct C;";
         let said = found_in(source);
         assert_eq!(said.len(), 2, "{said:?}");
-        assert!(said[0].starts_with("4: an error of core says 'give'"), "{said:?}");
-        assert!(said[1].starts_with("7: an error of core says '--'"), "{said:?}");
+        assert!(said[0].starts_with("4: an error says 'give'"), "{said:?}");
+        assert!(said[1].starts_with("7: an error says '--'"), "{said:?}");
     }
 }

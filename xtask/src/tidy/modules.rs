@@ -18,7 +18,7 @@ const FLAT: usize = 25;
 const ORDER: &[(&str, &str)] = &[
     (
         "crates/core",
-        "units mesh curve wireframe route bend schedule compensate calibrate estimate simulate accuracy motion sag clearance search sequence checks plan",
+        "units mesh curve wireframe route bend schedule compensate calibrate estimate simulate motion sag clearance search checks plan",
     ),
     (
         "crates/profile",

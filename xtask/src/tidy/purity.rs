@@ -1,14 +1,14 @@
-//! Rule: `core` computes. It reads no file, no clock, no environment, prints nothing and knows no JSON.
+//! Rule: `core`, `accuracy` and `sequence` compute. They read no file, no clock, no environment, print nothing and know no JSON.
 
 use super::finding::Finding;
 use super::members::Member;
 use super::rust_source::{code_only, line_at, without_tests, words};
 use super::tree::TreeFile;
-use super::{PURE_ROOM, RULES};
+use super::{PURE_ROOMS, RULES, is_pure};
 
-const WHY: &str = "core is pure, so that the same input always gives the same wire";
+const WHY: &str = "it is pure, so that the same input always gives the same wire";
 
-/// The crates that `core` may use: mathematics, graphs, random numbers from a given seed, and error types.
+/// The crates that a pure room may use: mathematics, graphs, random numbers from a given seed, and error types.
 const MAY_USE: &[&str] = &[
     "faer",
     "nalgebra",
@@ -36,20 +36,20 @@ const OUTSIDE: &[&str] = &[
     "std::time::UNIX_EPOCH",
 ];
 
-/// Names that may not be in `core` however they are reached.
+/// Names that may not be in a pure room however they are reached.
 const FORBIDDEN_NAMES: &[&str] =
     &["println!", "print!", "eprintln!", "eprint!", "serde_json", "Instant::now", "SystemTime::now"];
 
-/// External crates that `core` uses outside tests and that are not in the table.
+/// External crates that a pure room uses outside tests and that are not in the table.
 pub(super) fn check_dependencies(members: &[Member], files: &[TreeFile]) -> Vec<Finding> {
     let mut findings = Vec::new();
-    for member in members.iter().filter(|member| member.room == PURE_ROOM) {
+    for member in members.iter().filter(|member| PURE_ROOMS.contains(&member.room.as_str())) {
         let used = member.dependencies.iter().filter(|used| used.ships && used.room.is_none());
         for used in used.filter(|used| !MAY_USE.contains(&used.name.as_str())) {
             findings.push(Finding::new(
                 &member.manifest(),
                 member.line_of(&used.name, files),
-                format!("core depends on {}", used.name),
+                format!("{} depends on {}", member.room, used.name),
                 WHY,
                 format!(
                     "do it in a later room, or, when it only computes, add it to MAY_USE in {RULES}purity.rs"
@@ -60,12 +60,11 @@ pub(super) fn check_dependencies(members: &[Member], files: &[TreeFile]) -> Vec<
     findings
 }
 
-/// Uses of the outside world in the code of `core` that is not a test.
+/// Uses of the outside world in the code of a pure room that is not a test.
 pub(super) fn check_sources(files: &[TreeFile]) -> Vec<Finding> {
-    let sources = format!("{PURE_ROOM}/src/");
     let is_code = |file: &&TreeFile| {
         let test = file.path.ends_with("/tests.rs") || file.path.contains("/tests/");
-        file.path.starts_with(&sources) && file.has_extension(&["rs"]) && !test
+        is_pure(&file.path) && file.has_extension(&["rs"]) && !test
     };
     files.iter().filter(is_code).flat_map(check_source).collect()
 }
@@ -76,7 +75,7 @@ fn check_source(file: &TreeFile) -> Vec<Finding> {
     let names = FORBIDDEN_NAMES.iter().flat_map(|name| words(&code, name).map(|at| (at, (*name).to_owned())));
     let finding = |(at, name): (usize, String)| {
         let to_do = "take the value as an argument, or move the code to the room that does this (files, app)";
-        Finding::new(&file.path, line_at(&code, at), format!("core names {name}"), WHY, to_do)
+        Finding::new(&file.path, line_at(&code, at), format!("a pure room names {name}"), WHY, to_do)
     };
     paths.chain(names).map(finding).collect()
 }
@@ -143,10 +142,10 @@ mod tests {
             "use std::{collections::BTreeMap, fs, time::{Duration, Instant}};\nuse std::io::{self, Read};",
         );
         let expected = [
-            "core names std::fs",
-            "core names std::time::Instant",
-            "core names std::io::self",
-            "core names std::io::Read",
+            "a pure room names std::fs",
+            "a pure room names std::time::Instant",
+            "a pure room names std::io::self",
+            "a pure room names std::io::Read",
         ];
         assert_eq!(found, expected);
     }
@@ -172,7 +171,7 @@ mod tests {
     fn a_crate_that_does_io_is_refused_and_test_crates_are_free() {
         let on = |name: &str, ships| Dependency { name: name.to_owned(), ships, room: None };
         let member = Member {
-            room: PURE_ROOM.to_owned(),
+            room: "crates/core".to_owned(),
             dependencies: vec![on("nalgebra", true), on("serde_json", true), on("proptest", false)],
         };
         let manifest =

@@ -1,8 +1,8 @@
 //! How long it takes to close the joints of many drawn wires.
 
 use anyhow::Result;
+use wirebend_accuracy::Closing;
 use wirebend_benches::timed;
-use wirebend_core::accuracy::Closing;
 use wirebend_core::simulate::{ErrorModel, ErrorTerm};
 
 use wirebend_benches::frames::truss::{DEPTH_OF_TEST, Truss};

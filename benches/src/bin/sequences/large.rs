@@ -6,8 +6,8 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, bail, ensure};
-use wirebend_core::sequence::{GivenStep, Groups, SearchOptions, Task, check, search};
 use wirebend_frame::{Assembly, Load, ModeKind, ModeSearch, Pieces};
+use wirebend_sequence::{GivenStep, Groups, SearchOptions, Task, check, search};
 
 use wirebend_benches::frames::peer::GRAVITY;
 use wirebend_benches::frames::{brute, built, models};

@@ -4,11 +4,11 @@ use std::ops::ControlFlow;
 
 use anyhow::{Result, ensure};
 use wirebend_benches::timed;
-use wirebend_core::sequence::{
-    GivenStep, Groups, LayerOptions, SearchOptions, Structure, Task, layers, search, search_by_paper,
-};
 use wirebend_core::wireframe::{Vertex, VertexId, Wireframe};
 use wirebend_frame::Model;
+use wirebend_sequence::{
+    GivenStep, Groups, LayerOptions, SearchOptions, Structure, Task, layers, search, search_by_paper,
+};
 
 use wirebend_benches::frames::{brute, built, models};
 
@@ -57,7 +57,7 @@ fn one(name: &str, structure: &Structure, aims: &Aims) -> Result<()> {
     let goes_on = &mut |_: &_| ControlFlow::Continue(());
     let (ms, outcome) = timed(3, || Ok(search(&task, &SearchOptions::default(), goes_on)?))?;
     let seconds = ms / 1000.0;
-    let confirm = |outcome: &wirebend_core::sequence::Outcome| -> Result<()> {
+    let confirm = |outcome: &wirebend_sequence::Outcome| -> Result<()> {
         ensure!(outcome.is_found(), "{name}: {:?}", outcome.obstacle);
         let given: Vec<GivenStep> =
             outcome.steps.iter().map(|step| GivenStep::of(step, structure, &builder)).collect();

@@ -7,12 +7,12 @@ mod meeting;
 
 use super::{BendRadius, ReachLimit, Source, Sourced};
 use crate::bend::PathError;
+use crate::checks::violation::Violation;
 use crate::clearance::Obstacle;
 use crate::compensate::NearCorner;
 use crate::route::RouteError;
 use crate::sag::Sag;
 use crate::search::Helps;
-use crate::sequence::Violation;
 use crate::units::{Angle, Length};
 use crate::wireframe::{EdgeId, VertexId};
 pub use bend_of::{BendOf, ClosingBend};

@@ -23,6 +23,7 @@ mod slight_bend;
 mod small_corner;
 mod stock_length;
 mod strength;
+mod violation;
 mod wire_diameter;
 
 pub use code::Code;
@@ -33,6 +34,7 @@ pub use fact::{BendOf, ClosingBend, Fact, Meeting};
 pub use limit::{Limit, LimitSource, Quantity, ReachLimit, Source, Sourced};
 pub use remedy::Remedy;
 pub use strength::TORQUE_MARGIN;
+pub use violation::{StepKind, Violation};
 
 use crate::bend::NominalProgram;
 use crate::clearance::{Body, FirstContact};

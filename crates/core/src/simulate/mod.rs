@@ -106,9 +106,11 @@ impl ErrorModel {
 }
 
 impl ErrorTerm {
+    /// Whether such errors can be drawn.
+    ///
     /// # Errors
-    /// A figure that is not finite, or a deviation below zero.
-    pub(crate) fn check(self, of: ErrorSource) -> Result<(), BadErrorTerm> {
+    /// [`BadErrorTerm`] where a figure is not finite, or the deviation is below zero.
+    pub fn check(self, of: ErrorSource) -> Result<(), BadErrorTerm> {
         if !self.bias.is_finite() || !self.sigma.is_finite() || self.sigma < 0.0 {
             return Err(BadErrorTerm { of, bias: self.bias, sigma: self.sigma });
         }

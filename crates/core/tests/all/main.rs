@@ -2,7 +2,6 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 
-mod accuracy;
 mod chains;
 mod edits;
 mod exact;
@@ -11,6 +10,5 @@ mod outcomes;
 mod path_and_program;
 mod physics;
 mod routes;
-mod sequence;
 mod shapes;
 mod trusses;

@@ -7,7 +7,7 @@ mod stencil;
 
 use std::path::PathBuf;
 
-use wirebend_core::accuracy::ClosingError;
+use wirebend_accuracy::ClosingError;
 use wirebend_core::calibrate::CalibrationError;
 use wirebend_core::compensate::{PegGeometryError, SpringbackError};
 use wirebend_core::simulate::BadErrorTerm;

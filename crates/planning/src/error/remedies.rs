@@ -1,6 +1,6 @@
 //! What can be done about an error of planning.
 
-use wirebend_core::accuracy::ClosingError;
+use wirebend_accuracy::ClosingError;
 use wirebend_core::calibrate::CalibrationError;
 use wirebend_driver_host::advice_of;
 use wirebend_error::{ErrorRemedy, InputName};

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::accuracy::{Closed, Closing, Draw, Prepared, Resources};
+use wirebend_accuracy::{Closed, Closing, Draw, Prepared, Resources};
 use wirebend_core::simulate::ErrorModel;
 use wirebend_error::InputName;
 use wirebend_files::write::frame::{ClosedResult, ClosedStrut, ResultNode, closed_vtk};

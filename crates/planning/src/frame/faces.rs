@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use nalgebra::Point3;
 use schemars::JsonSchema;
 use serde::Deserialize;
-use wirebend_core::accuracy::Surface;
+use wirebend_accuracy::Surface;
 use wirebend_core::wireframe::VertexId;
 use wirebend_error::InputName;
 

@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use wirebend_core::accuracy::Expected;
+use wirebend_accuracy::Expected;
 
 /// Figures of closed frames.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]

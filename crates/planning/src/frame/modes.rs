@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::accuracy::bows;
+use wirebend_accuracy::bows;
 use wirebend_error::InputName;
 use wirebend_frame::{Assembly, MemberId, Mode, ModeKind, ModeSearch, Model, Pieces};
 

@@ -5,7 +5,7 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use wirebend_core::accuracy::{Closing, ClosingError, Prepared};
+use wirebend_accuracy::{Closing, ClosingError, Prepared};
 use wirebend_core::simulate::{ErrorModel, ErrorTerm};
 use wirebend_error::InputName;
 

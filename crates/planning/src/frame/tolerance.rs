@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::accuracy::{
+use wirebend_accuracy::{
     self, BowedStrut, Closing, Continuum, Effects, NoLimit, Requirement, Surface, Tolerance, Vary,
 };
 use wirebend_core::checks::{Diagnostic, check_crossings};
@@ -169,7 +169,8 @@ pub fn tolerance(
                 force: truss.force_per_length(),
                 stress: 0.0,
             };
-            let found = accuracy::tolerance(&feed, &Effects::default(), &required, vary).map_err(no_limit)?;
+            let found = wirebend_accuracy::tolerance(&feed, &Effects::default(), &required, vary)
+                .map_err(no_limit)?;
             let first_frequency = first_frequency(&truss, bow);
             let notes =
                 if bow > 0.0 && first_frequency.is_none() { vec![frequency_unknown()] } else { Vec::new() };
@@ -191,7 +192,7 @@ pub fn tolerance(
             let closing = request.closing.into();
             let feed = wires.effects(closing, &one_mm(), request.vary != VaryName::Angle)?;
             let angle = wires.effects(closing, &one_degree(), request.vary != VaryName::Feed)?;
-            let found = accuracy::tolerance(&feed, &angle, &required, vary).map_err(no_limit)?;
+            let found = wirebend_accuracy::tolerance(&feed, &angle, &required, vary).map_err(no_limit)?;
             notes.extend(wires.notes);
             Ok(ToleranceResponse::new(wires.material.id, &found, true, notes))
         }

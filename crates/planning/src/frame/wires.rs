@@ -1,6 +1,6 @@
 //! The wires that a design is planned as, ready to be closed.
 
-use wirebend_core::accuracy::{ClosingModel, FrameWire, Surface};
+use wirebend_accuracy::{ClosingModel, FrameWire, Surface};
 use wirebend_core::bend::NominalProgram;
 use wirebend_core::simulate::scheduled_start;
 use wirebend_core::units::Length;
@@ -96,7 +96,7 @@ fn unplanned(planned: &Planned) -> PlanningError {
 }
 
 impl Wires {
-    pub fn failed(&self, error: wirebend_core::accuracy::ClosingError) -> PlanningError {
+    pub fn failed(&self, error: wirebend_accuracy::ClosingError) -> PlanningError {
         PlanningError::Closing { name: self.name.clone(), error }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use wirebend_core::accuracy::Resources;
+use wirebend_accuracy::Resources;
 use wirebend_core::plan::WirePlan;
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{EdgeId, Wireframe};

@@ -1,11 +1,11 @@
 //! The figures of a strut builder and of what it builds with, as the search takes them.
 
 use nalgebra::Point3;
-use wirebend_core::sequence::{Head, HeadDirections, Pace, StrutBuilder};
 use wirebend_core::units::{Angle, Length};
 use wirebend_error::InputName;
 use wirebend_frame::Section;
 use wirebend_profile::{StrutBuilderFigures, StrutProcess};
+use wirebend_sequence::{Head, HeadDirections, Pace, StrutBuilder};
 
 use super::{GroupBy, SequenceRequest, material_choices};
 use crate::design::Opened;

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::sequence::{self, Checked, GivenJoint, GivenStep, Outcome, Structure, Task};
 use wirebend_core::wireframe::{EdgeId, VertexId};
+use wirebend_sequence::{Checked, GivenJoint, GivenStep, Outcome, Structure, Task};
 
 use super::SequenceRequest;
 use super::builder::BuilderSetup;
@@ -167,7 +167,7 @@ fn all_directions(task: &Task<'_>) -> Vec<Vector3<f64>> {
 /// every step would take minutes.
 pub(super) fn check_ordered(order: &[OrderedStep], task: &Task<'_>) -> (Vec<GivenStep>, Checked) {
     let mut given = ordered(order, task);
-    let mut checked = sequence::check(task, &given);
+    let mut checked = wirebend_sequence::check(task, &given);
     let mut again = false;
     for (step, free) in given.iter_mut().zip(&checked.free) {
         for (joint, &free) in step.joints.iter_mut().zip(free) {
@@ -178,7 +178,7 @@ pub(super) fn check_ordered(order: &[OrderedStep], task: &Task<'_>) -> (Vec<Give
         }
     }
     if again {
-        checked = sequence::check(task, &given);
+        checked = wirebend_sequence::check(task, &given);
     }
     (given, checked)
 }

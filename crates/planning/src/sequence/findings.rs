@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 
 use wirebend_core::checks::{Diagnostic, Fact, Location, Remedy, Severity};
-use wirebend_core::sequence::{Obstacle, ObstacleRule, Structure, StructureError, Task, Violation};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Component, EdgeId, VertexId};
+use wirebend_sequence::{Obstacle, ObstacleRule, Structure, StructureError, Task, Violation};
 
 use crate::design::Opened;
 

@@ -14,14 +14,14 @@ use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use wirebend_core::checks::{Diagnostic, check_crossings};
-use wirebend_core::sequence::{
-    self, GivenStep, Groups, LayerOptions, Outcome, Progress as SearchProgress, SearchOptions, Structure,
-    Task, Weight,
-};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::EdgeId;
 use wirebend_error::InputName;
 use wirebend_frame::STANDARD_GRAVITY;
+use wirebend_sequence::{
+    GivenStep, Groups, LayerOptions, Outcome, Progress as SearchProgress, SearchOptions, Structure, Task,
+    Weight,
+};
 
 use crate::choices::PlanChoices;
 use crate::design::{DesignInput, Input, Opened, default_weld};
@@ -146,7 +146,7 @@ fn run(
         reason: error.to_string(),
     };
     let searched = order.is_none() && request.check.is_none();
-    if searched && let Some(obstacle) = sequence::whole_frame(&task).map_err(no_frame)? {
+    if searched && let Some(obstacle) = wirebend_sequence::whole_frame(&task).map_err(no_frame)? {
         return Ok((answer.found(&task, &Outcome::impossible(obstacle), Vec::new()), drawing));
     }
     let layers = if request.layers || request.cost == CostName::Paper {
@@ -154,7 +154,8 @@ fn run(
         let since = Instant::now();
         let ceilings: Vec<EdgeId> =
             wireframe.edges().filter(|(_, edge)| edge.ceiling).map(|(id, _)| id).collect();
-        let layers = sequence::layers(&task, &ceilings, &LayerOptions::default()).map_err(no_frame)?;
+        let layers =
+            wirebend_sequence::layers(&task, &ceilings, &LayerOptions::default()).map_err(no_frame)?;
         answer.took("layers", since);
         Some(layers)
     } else {
@@ -172,7 +173,7 @@ fn run(
             (Some(order), _) => drawn::check_ordered(order, &task),
             (None, given) => {
                 let given = given.unwrap_or_default();
-                let checked = sequence::check(&task, &given);
+                let checked = wirebend_sequence::check(&task, &given);
                 (given, checked)
             }
         };
@@ -187,10 +188,10 @@ fn run(
     let mut watch = Watch { progress, until, named: false };
     let outcome = if let (CostName::Paper, Some(layers)) = (request.cost, layers) {
         let backtracks = SearchOptions::default().backtracks;
-        sequence::search_by_paper(&task, &layers, backtracks, &mut |told| watch.hear(told))
+        wirebend_sequence::search_by_paper(&task, &layers, backtracks, &mut |told| watch.hear(told))
     } else {
         let options = SearchOptions { seed: request.seed.unwrap_or(1), ..SearchOptions::default() };
-        sequence::search(&task, &options, &mut |told| watch.hear(told))
+        wirebend_sequence::search(&task, &options, &mut |told| watch.hear(told))
     };
     let outcome = outcome.map_err(no_frame)?;
     answer.took("search", since);
@@ -214,7 +215,7 @@ fn rechecked(task: &Task<'_>, outcome: &Outcome, progress: &dyn Progress) -> Vec
     progress.stage("checking the sequence");
     let given: Vec<GivenStep> =
         outcome.steps.iter().map(|step| GivenStep::of(step, task.structure, task.builder)).collect();
-    sequence::check(task, &given).violations.iter().map(findings::violation).collect()
+    wirebend_sequence::check(task, &given).violations.iter().map(findings::violation).collect()
 }
 
 /// Whether a cost is one of what is built: that of `FrameFab` is one of struts that are drawn.

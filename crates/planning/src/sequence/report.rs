@@ -7,7 +7,7 @@ use std::time::Instant;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::checks::Diagnostic;
-use wirebend_core::sequence::{
+use wirebend_sequence::{
     Checked, GivenStep, Obstacle, ObstacleRule, Outcome, Partial, Step, StepKind, Strategy, Structure, Task,
     cost,
 };
@@ -296,7 +296,7 @@ impl Answer {
 
 fn step_report(task: &Task<'_>, step: &Step) -> SequenceStepReport {
     let structure = task.structure;
-    let joint = |joint: &wirebend_core::sequence::Joint| SequenceJoint {
+    let joint = |joint: &wirebend_sequence::Joint| SequenceJoint {
         vertex: structure.nodes()[joint.node].vertex.0,
         direction: task.builder.directions.all()[joint.direction].into_inner().into(),
         free_directions: joint.free.len(),
@@ -324,8 +324,7 @@ fn given_report(
     sag_mm: Option<f64>,
 ) -> SequenceStepReport {
     let placed = task.builder.is_placed(step.edges.len());
-    let direction =
-        |joint: &wirebend_core::sequence::GivenJoint| joint.directions.first().map(|way| (*way).into());
+    let direction = |joint: &wirebend_sequence::GivenJoint| joint.directions.first().map(|way| (*way).into());
     let joints = step.joints.iter().zip(free).filter_map(|(joint, &free_directions)| {
         Some(SequenceJoint { vertex: joint.vertex.0, direction: direction(joint)?, free_directions })
     });

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
-use wirebend_core::sequence::{Outcome, Step, StepKind, Task};
 use wirebend_error::InputName;
 use wirebend_files::read::frame::{SequenceFile, SequenceStep, StrutKind};
 use wirebend_files::write::frame::{BuiltMember, assembly_instances, framefab_sequence, vtk};
+use wirebend_sequence::{Outcome, Step, StepKind, Task};
 
 use super::report::SequenceResponse;
 use crate::PlanningError;

@@ -1,6 +1,6 @@
 //! Errors of `core` as a person reads them: what is wrong, and what would be right.
 
-use wirebend_core::accuracy::ClosingError;
+use wirebend_accuracy::ClosingError;
 use wirebend_core::compensate::{PegGeometryError, PegRadius, SpringbackError};
 use wirebend_core::route::RouteError;
 use wirebend_core::simulate::{BadErrorTerm, ErrorSource};

@@ -2,7 +2,7 @@
 
 use super::Fact;
 use crate::checks::Code;
-use crate::sequence::Violation;
+use crate::checks::violation::Violation;
 
 impl Fact {
     /// The name of this kind of finding.

@@ -1,4 +1,4 @@
-use wirebend_core::accuracy::ClosingError;
+use wirebend_accuracy::ClosingError;
 use wirebend_core::compensate::{PegGeometryError, PegRadius, SpringbackError};
 use wirebend_core::simulate::{BadErrorTerm, ErrorSource};
 use wirebend_core::units::{Angle, Length};
