@@ -15,6 +15,7 @@ import {
   showLive,
   showMade,
   simulate,
+  togglePlay,
   usePlayback,
 } from "../state/program/program";
 import { made, program, view, wire } from "../state/program/testing";
@@ -65,6 +66,22 @@ describe("playback", () => {
     expect(asked("made")).toBe(0);
     expect(await simulate()).toBe(true);
     expect(usePlayback.getState()).toMatchObject({ step: 1, played: { made: { corners: wire.corners_mm } } });
+  });
+
+  it("leaves the view to a machine whose program was on its way when a person wanted to play it", async () => {
+    const shown = showLive(making(1));
+    togglePlay();
+    await Promise.all([goTo(0), shown]);
+    expect(usePlayback.getState()).toMatchObject({ live: true, playing: false, step: 1 });
+  });
+
+  it("keeps the wire of a machine in the view where the design is changed before its program is there", async () => {
+    const shown = showLive(making(0));
+    useDesign.setState({ vertices: new Map() });
+    await Promise.all([showLive(making(1)), shown]);
+    await showLive(making(1));
+    expect(usePlayback.getState()).toMatchObject({ live: true, otherWire: null, step: 1 });
+    expect(asked("program")).toBe(1);
   });
 
   it("keeps what is played while a person slides, so that the machine is not built anew at every place", async () => {

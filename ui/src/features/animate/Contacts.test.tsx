@@ -43,20 +43,39 @@ it("says that nothing is hit of the program as it is", () => {
 });
 
 it.each([
-  ["what was found before a change", () => useDesign.setState({ version: 4 })],
-  ["a program of the design before", () => useDesign.setState({ vertices: new Map() })],
-  [
-    "collisions of a design that has another program",
-    () =>
-      useDesign.setState({ vertices: new Map(), version: 4, collisions: { found: some, version: 4, dragged: false } }),
-  ],
+  ["what was found before a change", () => useDesign.setState({ version: 4 }), "Checking for collisions…"],
   [
     "where vertices are dragged to",
     () => useDesign.setState({ collisions: { found: none, version: 3, dragged: true } }),
+    "Checking for collisions…",
   ],
-])("does not say so for %s", (_, change) => {
+  [
+    "another profile, which is being checked",
+    () => useCollisions.setState({ stands: "running" }),
+    "Checking for collisions…",
+  ],
+  ["a program of the design before", () => useDesign.setState({ vertices: new Map() }), "Waiting for the program…"],
+  [
+    "collisions of a design that has another program",
+    () =>
+      useDesign.setState({
+        vertices: new Map(),
+        version: 4,
+        collisions: { found: some, version: 4, dragged: false },
+      }),
+    "Waiting for the program…",
+  ],
+  [
+    "a check that was stopped",
+    () => {
+      useDesign.setState({ collisions: null });
+      useCollisions.setState({ stands: "stopped" });
+    },
+    "Collisions are not checked.",
+  ],
+])("does not say so for %s", (_, change, expected) => {
   act(change);
-  expect(text()).toContain("Checking for collisions…");
+  expect(text()).toContain(expected);
   expect(text()).not.toContain("No collision");
 });
 
@@ -64,7 +83,7 @@ it("says nothing of a file by what the design behind it has", () => {
   const show = (kind: RunFileReport["kind"]) =>
     act(() => useRunFile.setState({ file: { kind, machine: "kit" } as RunFileReport }));
   show("job");
-  expect(text()).toBe("What the checks found in the file is in Run");
+  expect(text()).toBe("Run shows what the checks say of this file.");
   show("moves");
   expect(text()).toBe("Recorded moves are not checked for collisions.");
 });

@@ -5,7 +5,7 @@ import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { useCollisions } from "../../state/design/collisions";
 import { useDesign } from "../../state/design/design";
-import { type PlayedContact, setStops, useContacts, useStops } from "../../state/program/contacts";
+import { type Missing, type PlayedContact, setStops, useContacts, useStops } from "../../state/program/contacts";
 import { jump } from "../../state/program/player";
 import { usePlayback } from "../../state/program/program";
 import { useRunFile } from "../../state/program/run_file";
@@ -21,7 +21,7 @@ const OF_DESIGNED = "Collisions are those of the wire as designed. The wire as m
 
 /** Where the wire hits something, and whether playing stops there. */
 export function Contacts() {
-  const { known, contacts, elsewhere } = useContacts();
+  const { missing, contacts, elsewhere } = useContacts();
   const file = useRunFile((run) => run.file);
   const stops = useStops(({ on }) => on);
   const shown = usePlayback((playback) => playback.shown);
@@ -40,7 +40,7 @@ export function Contacts() {
           ))}
         </ul>
       )}
-      {hit ? <Estimates contacts={contacts} /> : <Nothing known={known} others={elsewhere.hits > 0} />}
+      {hit ? <Estimates contacts={contacts} /> : <Nothing missing={missing} others={elsewhere.hits > 0} />}
       <CollisionSettings />
       {shown !== "designed" && <p className="muted small">{OF_DESIGNED}</p>}
       {(contacts.length > 0 || others) && <Avoid />}
@@ -81,20 +81,22 @@ function Estimates({ contacts }: { readonly contacts: readonly PlayedContact[] }
 const hitFirst = (contacts: readonly PlayedContact[]): string | null =>
   contacts.find(({ estimated }) => estimated)?.finding.body ?? null;
 
-/** Why there are none. `known`: those of the design are those of the program; `others`: other wires have some. */
-function Nothing({ known, others }: { readonly known: boolean; readonly others: boolean }) {
+/** Why there are none. `missing`: what of the design as it is, is not there yet; `others`: other wires have some. */
+function Nothing({ missing, others }: { readonly missing: Missing | null; readonly others: boolean }) {
   const { stands } = useCollisions();
   const found = useDesign(({ collisions }) => collisions?.found);
-  const checked = known && found?.checked ? found : null;
-  // What was found before the last change says nothing of the design as it is.
-  const checking = !known && (found?.checked || stands === "running" || stands === "waiting");
+  // Profiles change what is hit, and not the design: what was found before stays until the next answer.
+  const done = stands === "done" && missing !== "collisions";
+  const checked = done && !missing && found?.checked ? found : null;
   const text = checked
     ? [others ? "No collision of this wire found." : "No collision found.", estimatesOf(checked)]
         .filter(Boolean)
         .join(" ")
-    : checking
-      ? "Checking for collisions…"
-      : "Collisions are not checked.";
+    : done && missing
+      ? "Waiting for the program…"
+      : !done && (found || stands === "running" || stands === "waiting")
+        ? "Checking for collisions…"
+        : "Collisions are not checked.";
   return (
     <p className="two-lines muted small">
       {text} {checked && checked.estimates > 0 && <EnterDimensions />}
@@ -102,16 +104,16 @@ function Nothing({ known, others }: { readonly known: boolean; readonly others: 
   );
 }
 
-/** A file has been checked when it was opened. */
+/** What is said of a file that is run is said in *Run*. */
 function OfFile({ kind }: Pick<RunFileReport, "kind">) {
   const showSection = useUi((ui) => ui.showSection);
   if (kind === "moves") return <p className="muted small">Recorded moves are not checked for collisions.</p>;
   return (
     <p className="muted small">
-      What the checks found in the file is in{" "}
       <Button kind="link" aria-controls="section-run" onClick={() => showSection("run")}>
         Run
-      </Button>
+      </Button>{" "}
+      shows what the checks say of this file.
     </p>
   );
 }

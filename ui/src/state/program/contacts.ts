@@ -19,31 +19,39 @@ const NEAR = 1e-6;
 const NONE: readonly PlayedContact[] = [];
 
 /** Of the same answer the same ones. */
-const known = new WeakMap<readonly ContactReport[], readonly PlayedContact[]>();
+const sorted = new WeakMap<readonly ContactReport[], readonly PlayedContact[]>();
 
 function played(contacts: readonly ContactReport[]): readonly PlayedContact[] {
-  const before = known.get(contacts);
+  const before = sorted.get(contacts);
   if (before) return before;
   // The end of a step is the beginning of the next, where it would look like one of that.
   const all = contacts.map((contact) => ({ ...contact, position: contact.step + Math.min(contact.at, 1 - NEAR) }));
-  const sorted = all.toSorted((a, b) => a.position - b.position);
-  known.set(contacts, sorted);
-  return sorted;
+  const inOrder = all.toSorted((a, b) => a.position - b.position);
+  sorted.set(contacts, inOrder);
+  return inOrder;
 }
 
-/** Those of all wires of the program; null where it is not known, such as where they are of another design than it is. */
-function ofProgram(upToDate: boolean): readonly PlayedContact[] | null {
+/** What is not there yet of the design as it is: what is found there, or the program in which it is. */
+export type Missing = "collisions" | "program";
+
+function missing(upToDate: boolean): Missing | null {
   const { collisions, version } = useDesign.getState();
+  if (!collisions || collisions.dragged || collisions.version !== version) return "collisions";
+  return upToDate ? null : "program";
+}
+
+/** Those of all wires of the program; none where they are of another design than it is. */
+function ofProgram(upToDate: boolean): readonly PlayedContact[] {
+  const { collisions } = useDesign.getState();
   // They are those of the design.
-  if (useRunFile.getState().file) return null;
-  if (!collisions || collisions.dragged || collisions.version !== version || !upToDate) return null;
+  if (!collisions || useRunFile.getState().file || missing(upToDate)) return NONE;
   return played(collisions.found.contacts);
 }
 
 /** Those of the wire that is shown, in their order. */
 const contactsNow = (): readonly PlayedContact[] => {
   const { wire } = useProgram.getState();
-  return (ofProgram(isUpToDate()) ?? NONE).filter((contact) => contact.wire === wire);
+  return ofProgram(isUpToDate()).filter((contact) => contact.wire === wire);
 };
 
 /** How often wires hit something, and how often they only come nearer than the clearance. */
@@ -53,8 +61,7 @@ export interface Met {
 }
 
 interface Contacts {
-  /** Whether what was found is that of the program. */
-  readonly known: boolean;
+  readonly missing: Missing | null;
   /** Of the wire that is shown. */
   readonly contacts: readonly PlayedContact[];
   /** How many the others have. */
@@ -67,11 +74,12 @@ export function useContacts(): Contacts {
   useDesign(({ version }) => version);
   useRunFile();
   const wire = useProgram((program) => program.wire);
-  const found = ofProgram(!useStale());
-  const all = found ?? NONE;
+  const upToDate = !useStale();
+  const all = ofProgram(upToDate);
   const contacts = all.filter((contact) => contact.wire === wire);
   const hits = hitsOf(all).length - hitsOf(contacts).length;
-  return { known: found !== null, contacts, elsewhere: { hits, near: all.length - contacts.length - hits } };
+  const elsewhere = { hits, near: all.length - contacts.length - hits };
+  return { missing: missing(upToDate), contacts, elsewhere };
 }
 
 /** Those at which something is hit: others only come nearer than the clearance. */

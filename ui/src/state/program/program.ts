@@ -129,8 +129,11 @@ export const isUpToDate = (): boolean => same(useProgram.getState().basis, basis
 
 /** How often the program was forgotten: what was asked before is no answer then. */
 let forgotten = 0;
-/** The question that is on its way. */
-let underway: Promise<unknown> = Promise.resolve();
+/** The question that is on its way, and whether its answer counts. */
+let underway: Promise<boolean> = Promise.resolve(false);
+
+/** Whether there is a wire to play. */
+const hasWires = (): boolean => (useProgram.getState().program?.wires.length ?? 0) > 0;
 
 /** Brings the program up to date; true when there is one. */
 export async function makeProgram(): Promise<boolean> {
@@ -139,21 +142,15 @@ export async function makeProgram(): Promise<boolean> {
   // The design itself may not be here yet, such as when a machine is at work while the window is loaded.
   if (!state) return false;
   const machine = basis.file?.machine ?? state.machine;
-  if (same(useProgram.getState().basis, basis)) return useProgram.getState().program !== null;
-  const before = forgotten;
-  if (useProgram.getState().asking) {
-    // It was asked of the design as it was then, and one question is on its way at a time.
-    await underway;
-    return before === forgotten && makeProgram();
-  }
+  if (same(useProgram.getState().basis, basis)) return hasWires();
+  // One question is on its way at a time; it was asked of the design as it was then.
+  if (useProgram.getState().asking) return (await underway) && makeProgram();
   underway = ask(basis, machine);
-  await underway;
-  if (before !== forgotten) return false;
-  return (useProgram.getState().program?.wires.length ?? 0) > 0;
+  return (await underway) && hasWires();
 }
 
-/** Asks for the program, and shows it where it is played. */
-async function ask(basis: Basis, machine: string | null): Promise<void> {
+/** Asks for the program, and shows it where it is played; false where it was forgotten meanwhile. */
+async function ask(basis: Basis, machine: string | null): Promise<boolean> {
   const before = forgotten;
   useProgram.setState({ asking: true });
   let answer: Partial<ProgramStore>;
@@ -165,10 +162,11 @@ async function ask(basis: Basis, machine: string | null): Promise<void> {
     const problem = error instanceof Error ? error.message : String(error);
     answer = { program: null, machine: null, basis, made: null, problem };
   }
-  if (before !== forgotten) return;
+  if (before !== forgotten) return false;
   useProgram.setState({ ...answer, asking: false });
   const { played, step } = usePlayback.getState();
   if (played) show(step);
+  return true;
 }
 
 /** Asks how the machine bends it, which may take a while; true when it is known. */
@@ -229,15 +227,21 @@ export async function chooseShown(shown: Shown): Promise<void> {
   if (!usePlayback.getState().played) show(0);
 }
 
+/** Makes the program for a person who plays it: false also where a running machine has the view, by then or before. */
+async function makeToPlay(): Promise<boolean> {
+  const isLive = () => usePlayback.getState().live;
+  return !isLive() && (await makeProgram()) && !isLive();
+}
+
 /** Something that the person does with the program: a job in the view of a running machine is left alone. */
 export async function goTo(step: number): Promise<void> {
-  if (usePlayback.getState().live || !(await makeProgram())) return;
+  if (!(await makeToPlay())) return;
   usePlayback.setState({ playing: false });
   show(step);
 }
 
 async function play(): Promise<void> {
-  if (usePlayback.getState().live || !(await makeProgram())) return;
+  if (!(await makeToPlay())) return;
   const { played, step } = usePlayback.getState();
   if (!played) show(0);
   else if (step >= played.steps.length) show(0);
@@ -276,7 +280,8 @@ export async function showLive({
   // A program that was made meanwhile is that of a design that was changed.
   if (!usePlayback.getState().live || !isShown()) {
     const before = over;
-    if (!isUpToDate() && !(await makeProgram()) && !isUpToDate()) return;
+    // What somebody else asks for is waited for by the next report: by then it may be of another design.
+    if (!isUpToDate() && (useProgram.getState().asking || !(await makeProgram())) && !isUpToDate()) return;
     if (before !== over) {
       // It was bent before its program was there.
       if (follows.made && isShown()) showEnd(wire);
