@@ -6,10 +6,10 @@ use nalgebra::{Point3, Vector3};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Normal, Uniform};
-
-use super::misfits::{FrameWire, MisfitSource};
 use wirebend_core::simulate::{BadErrorTerm, ErrorModel, ErrorSource, ErrorTerm, fractions};
 use wirebend_core::units::{Angle, Length};
+
+use super::misfits::{FrameWire, MisfitSource};
 
 /// How far everything is off in one wire.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,7 +30,7 @@ impl Terms {
     /// # Errors
     /// A figure that is not finite, or a deviation below zero.
     pub fn new(model: &ErrorModel) -> Result<Self, BadErrorTerm> {
-        ErrorSource::ALL.into_iter().try_for_each(|of| model.term(of).check(of))?;
+        model.check()?;
         Ok(Self { model: *model })
     }
 

@@ -1,11 +1,12 @@
 //! What is expected of all the wires that a machine could make, without drawing any: errors are independent and their effects add up, so
 //! that squares do.
 
+use wirebend_core::simulate::ErrorModel;
+
 use super::closing::{Closed, Closing, mean};
 use super::draw::Terms;
 use super::model::{ClosingError, Prepared};
 use super::surface::Surface;
-use wirebend_core::simulate::ErrorModel;
 
 /// So many unit errors are closed at once.
 const AT_ONCE: usize = 32;

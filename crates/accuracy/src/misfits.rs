@@ -6,7 +6,6 @@
 use std::ops::Range;
 
 use nalgebra::Vector3;
-
 use wirebend_core::bend::{Frame, NominalProgram};
 use wirebend_core::simulate::ErrorSource;
 use wirebend_core::units::Angle;

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use nalgebra::{Point3, Vector3};
 use petgraph::unionfind::UnionFind;
+use wirebend_core::simulate::{BadErrorTerm, ErrorModel};
 use wirebend_frame::{
     Arc, Assembly, EndStiffness, Factor, Member, Model, ModelError, NodeId, Section, SectionId, Support,
     Unstable,
@@ -12,7 +13,6 @@ use wirebend_frame::{
 use super::draw::{Draw, Terms};
 use super::misfits::{FrameWire, MisfitSource, sources};
 use super::surface::Surface;
-use wirebend_core::simulate::{BadErrorTerm, ErrorModel};
 
 /// The sine of an angle below which two struts are on one line.
 const ON_ONE_LINE: f64 = 1e-6;

@@ -2,6 +2,8 @@
 
 use nalgebra::{Point3, Vector3};
 use proptest::prelude::*;
+use wirebend_core::bend::program_of_path;
+use wirebend_core::simulate::{ErrorModel, ErrorTerm};
 use wirebend_frame::{
     Assembly, EndMotion, Load, Material, Member, MemberId, Model, NodeId, Section, SectionId, Support,
 };
@@ -9,8 +11,6 @@ use wirebend_frame::{
 use super::draw::made;
 use super::{Closing, ClosingModel, FrameWire, Surface};
 use crate::testing::deg;
-use wirebend_core::bend::program_of_path;
-use wirebend_core::simulate::{ErrorModel, ErrorTerm};
 
 fn steel() -> Section {
     let e = 200_000.0;

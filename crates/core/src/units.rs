@@ -141,7 +141,7 @@ impl Length {
     }
 
     /// A length from a number that arithmetic on finite numbers gave (overflow saturates, and NaN,
-    /// which such arithmetic cannot give, becomes zero).
+    /// which such arithmetic cannot give, becomes zero). What comes from outside goes through [`Length::from_mm`].
     #[must_use]
     pub const fn computed(mm: f64) -> Self {
         if mm.is_nan() { Self(0.0) } else { Self(saturate(mm)) }

@@ -2,7 +2,6 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 use wirebend_collide::{DirectionSet, Head};
-
 use wirebend_core::units::{Angle, Length};
 
 /// A head that places struts, and what it has to keep to.

@@ -1,9 +1,10 @@
 //! What a sequence costs the machine.
 
+use wirebend_core::units::Length;
+
 use super::builder::StrutBuilder;
 use super::outcome::Step;
 use super::structure::Structure;
-use wirebend_core::units::Length;
 
 /// What a sequence costs.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,11 +5,11 @@ use std::collections::HashMap;
 use std::ops::ControlFlow;
 
 use wirebend_collide::{DirectionSet, Passage, between_pieces};
+use wirebend_core::units::Length;
 
 use super::builder::StrutBuilder;
 use super::groups::Group;
 use super::structure::Structure;
-use wirebend_core::units::Length;
 
 /// What the head does at once.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

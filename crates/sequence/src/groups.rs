@@ -2,8 +2,9 @@
 
 use std::collections::HashSet;
 
-use super::structure::Structure;
 use wirebend_core::wireframe::EdgeId;
+
+use super::structure::Structure;
 
 /// Why edges are no group of a structure.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

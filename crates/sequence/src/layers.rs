@@ -8,6 +8,8 @@
 use petgraph::algo::dinics;
 use petgraph::graph::{DiGraph, NodeIndex};
 use petgraph::visit::EdgeRef;
+use wirebend_core::units::Length;
+use wirebend_core::wireframe::EdgeId;
 use wirebend_frame::ModelError;
 
 use super::builder::StrutBuilder;
@@ -15,8 +17,6 @@ use super::free_directions::FreeDirections;
 use super::search::Task;
 use super::stability::{Stability, unsteady};
 use super::structure::Structure;
-use wirebend_core::units::Length;
-use wirebend_core::wireframe::EdgeId;
 
 /// How layers are cut.
 #[derive(Debug, Clone, Copy, PartialEq)]

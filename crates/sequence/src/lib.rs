@@ -45,4 +45,3 @@ pub use search::{SearchOptions, Task, search, stiffest_order, whole_frame};
 pub use stability::{Sag, Weight};
 pub use structure::{Node, Structure, StructureError, Strut};
 pub use wirebend_collide::{DirectionSet, Head, HeadError};
-pub use wirebend_core::checks::{StepKind, Violation};

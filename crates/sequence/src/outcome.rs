@@ -1,7 +1,7 @@
 //! A sequence, or why there is none.
 
 use wirebend_collide::DirectionSet;
-use wirebend_core::checks::StepKind;
+use wirebend_core::checks::sequence::StepKind;
 
 /// Struts that are placed at once, and how.
 #[derive(Debug, Clone, PartialEq)]

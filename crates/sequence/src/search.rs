@@ -8,6 +8,10 @@
 use std::collections::HashSet;
 use std::ops::ControlFlow;
 
+use wirebend_core::checks::sequence::StepKind;
+use wirebend_core::units::Length;
+use wirebend_frame::ModelError;
+
 use super::builder::StrutBuilder;
 use super::candidates::{Blocked, Candidates, upright};
 use super::descent::{Descent, Stuck, take_apart};
@@ -18,9 +22,6 @@ use super::keys;
 use super::outcome::{Joint, Obstacle, ObstacleRule, Outcome, Partial, Progress, Step, Strategy};
 use super::stability::{Stability, Weight, unsteady};
 use super::structure::Structure;
-use wirebend_core::checks::StepKind;
-use wirebend_core::units::Length;
-use wirebend_frame::ModelError;
 
 /// What is built.
 #[derive(Debug, Clone, Copy)]

@@ -1,7 +1,6 @@
 //! The frame as a sequence sees it: struts between nodes, and the parts that are placed at once.
 
 use nalgebra::Point3;
-
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{EdgeId, VertexId, Wireframe};
 

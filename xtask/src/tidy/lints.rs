@@ -5,7 +5,8 @@ use super::members::Member;
 use super::tree::TreeFile;
 
 /// The crates that others build on: what they export is documented.
-const PUBLISHED: &[&str] = &["crates/core", "crates/profile", "crates/driver-api"];
+const PUBLISHED: &[&str] =
+    &["crates/core", "crates/accuracy", "crates/sequence", "crates/profile", "crates/driver-api"];
 const ASKS: &str = "#![deny(missing_docs)]";
 
 /// Crates without `[lints] workspace = true`, and published ones that do not ask for documentation.

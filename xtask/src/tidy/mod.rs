@@ -28,14 +28,14 @@ use anyhow::{Result, bail};
 
 /// Folders of the crates that do no I/O and make no sentences.
 const PURE_ROOMS: &[&str] = &["crates/core", "crates/accuracy", "crates/sequence"];
+/// This folder, which names what it forbids.
+const RULES: &str = "xtask/src/tidy/";
 
 /// Whether a file is among the sources of a pure room.
 fn is_pure(path: &str) -> bool {
     let within = |room: &&str| path.strip_prefix(*room).is_some_and(|rest| rest.starts_with("/src/"));
     PURE_ROOMS.iter().any(within)
 }
-/// This folder, which names what it forbids.
-const RULES: &str = "xtask/src/tidy/";
 
 /// Checks every rule on the workspace at `root` and prints what it finds; an error when anything must be changed.
 pub(crate) fn run(root: &Path) -> Result<()> {
@@ -46,6 +46,7 @@ pub(crate) fn run(root: &Path) -> Result<()> {
     findings.extend(modules::check(&members, &files));
     findings.extend(purity::check_dependencies(&members, &files));
     findings.extend(purity::check_sources(&files));
+    findings.extend(purity::check_units(&files));
     findings.extend(facts::check(&files));
     findings.extend(error_texts::check(&files));
     findings.extend(c_units::check(&files));

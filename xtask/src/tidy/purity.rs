@@ -40,6 +40,9 @@ const OUTSIDE: &[&str] = &[
 const FORBIDDEN_NAMES: &[&str] =
     &["println!", "print!", "eprintln!", "eprint!", "serde_json", "Instant::now", "SystemTime::now"];
 
+/// What makes a length or an angle of any number.
+const UNCHECKED: &[&str] = &["Length::computed", "Angle::computed"];
+
 /// External crates that a pure room uses outside tests and that are not in the table.
 pub(super) fn check_dependencies(members: &[Member], files: &[TreeFile]) -> Vec<Finding> {
     let mut findings = Vec::new();
@@ -58,6 +61,29 @@ pub(super) fn check_dependencies(members: &[Member], files: &[TreeFile]) -> Vec<
         }
     }
     findings
+}
+
+/// Lengths and angles that are taken for computed where they may come from outside: there they are checked.
+pub(super) fn check_units(files: &[TreeFile]) -> Vec<Finding> {
+    let is_outside = |file: &&TreeFile| {
+        file.has_extension(&["rs"]) && !PURE_ROOMS.iter().any(|room| file.path.starts_with(room))
+    };
+    let named = |file: &TreeFile| {
+        let code = code_only(file.text.as_deref().unwrap_or_default());
+        let uses = UNCHECKED.iter().flat_map(|name| words(&code, name).map(move |at| (at, *name)));
+        let why = "a figure from outside that is no number would become zero unseen";
+        let found = uses.map(|(at, name)| {
+            Finding::new(
+                &file.path,
+                line_at(&code, at),
+                format!("names {name}"),
+                why,
+                "use from_mm or from_deg",
+            )
+        });
+        found.collect::<Vec<_>>()
+    };
+    files.iter().filter(is_outside).flat_map(named).collect()
 }
 
 /// Uses of the outside world in the code of a pure room that is not a test.
@@ -170,12 +196,21 @@ mod tests {
     #[test]
     fn a_crate_that_does_io_is_refused_and_test_crates_are_free() {
         let on = |name: &str, ships| Dependency { name: name.to_owned(), ships, room: None };
-        let member = Member {
-            room: "crates/core".to_owned(),
-            dependencies: vec![on("nalgebra", true), on("serde_json", true), on("proptest", false)],
-        };
-        let manifest =
-            file("crates/core/Cargo.toml", "[dependencies]\nnalgebra = \"1\"\nserde_json = \"1\"\n");
-        assert_eq!(places(&check_dependencies(&[member], &[manifest])), ["crates/core/Cargo.toml:3"]);
+        for room in PURE_ROOMS {
+            let member = Member {
+                room: (*room).to_owned(),
+                dependencies: vec![on("nalgebra", true), on("serde_json", true), on("proptest", false)],
+            };
+            let path = format!("{room}/Cargo.toml");
+            let manifest = file(&path, "[dependencies]\nnalgebra = \"1\"\nserde_json = \"1\"\n");
+            assert_eq!(places(&check_dependencies(&[member], &[manifest])), [format!("{path}:3")]);
+        }
+    }
+
+    #[test]
+    fn a_number_that_is_not_checked_is_refused_outside_the_pure_rooms() {
+        let found = |path| places(&check_units(&[file(path, "fn f() {\n    Length::computed(1.0);\n}\n")]));
+        assert_eq!(found("crates/files/src/x.rs"), ["crates/files/src/x.rs:2"]);
+        assert!(found("crates/accuracy/src/x.rs").is_empty());
     }
 }

@@ -7,7 +7,7 @@ mod meeting;
 
 use super::{BendRadius, ReachLimit, Source, Sourced};
 use crate::bend::PathError;
-use crate::checks::violation::Violation;
+use crate::checks::sequence::Violation;
 use crate::clearance::Obstacle;
 use crate::compensate::NearCorner;
 use crate::route::RouteError;

@@ -18,12 +18,12 @@ mod fold_back;
 mod limit;
 mod remedy;
 mod rotation;
+pub mod sequence;
 mod sharp_vertex;
 mod slight_bend;
 mod small_corner;
 mod stock_length;
 mod strength;
-mod violation;
 mod wire_diameter;
 
 pub use code::Code;
@@ -34,7 +34,6 @@ pub use fact::{BendOf, ClosingBend, Fact, Meeting};
 pub use limit::{Limit, LimitSource, Quantity, ReachLimit, Source, Sourced};
 pub use remedy::Remedy;
 pub use strength::TORQUE_MARGIN;
-pub use violation::{StepKind, Violation};
 
 use crate::bend::NominalProgram;
 use crate::clearance::{Body, FirstContact};

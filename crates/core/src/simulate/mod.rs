@@ -103,14 +103,20 @@ impl ErrorModel {
             model.with(of, ErrorTerm { bias: factor * bias, sigma: factor * sigma })
         })
     }
-}
 
-impl ErrorTerm {
     /// Whether such errors can be drawn.
     ///
     /// # Errors
-    /// [`BadErrorTerm`] where a figure is not finite, or the deviation is below zero.
-    pub fn check(self, of: ErrorSource) -> Result<(), BadErrorTerm> {
+    /// [`BadErrorTerm`] where a figure is not finite, or a deviation is below zero.
+    pub fn check(&self) -> Result<(), BadErrorTerm> {
+        ErrorSource::ALL.into_iter().try_for_each(|of| self.term(of).check(of))
+    }
+}
+
+impl ErrorTerm {
+    /// # Errors
+    /// A figure that is not finite, or a deviation below zero.
+    pub(crate) fn check(self, of: ErrorSource) -> Result<(), BadErrorTerm> {
         if !self.bias.is_finite() || !self.sigma.is_finite() || self.sigma < 0.0 {
             return Err(BadErrorTerm { of, bias: self.bias, sigma: self.sigma });
         }
@@ -228,9 +234,7 @@ pub fn simulate(
     seed: u64,
     mut each_run: impl FnMut(&ImperfectWire) -> ControlFlow<()>,
 ) -> Result<ErrorReport, BadErrorTerm> {
-    for of in ErrorSource::ALL {
-        errors.term(of).check(of)?;
-    }
+    errors.check()?;
     let mut deviations = vec![Vec::with_capacity(runs as usize); input.design.len()];
     let mut gaps = vec![Vec::with_capacity(runs as usize); input.passes.len()];
     let formed = formed(input.program, input.compensation);
@@ -265,9 +269,7 @@ pub fn wire_of_run(
     seed: u64,
     run: u32,
 ) -> Result<ImperfectWire, BadErrorTerm> {
-    for of in ErrorSource::ALL {
-        errors.term(of).check(of)?;
-    }
+    errors.check()?;
     let formed = formed(input.program, input.compensation);
     Ok(imperfect(input, &formed, &mut Draw::new(errors, seed, run)))
 }

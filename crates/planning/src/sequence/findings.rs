@@ -1,11 +1,12 @@
 //! What keeps a frame from being built, as findings.
 
 use std::collections::BTreeSet;
+use wirebend_core::checks::sequence::Violation;
 
 use wirebend_core::checks::{Diagnostic, Fact, Location, Remedy, Severity};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Component, EdgeId, VertexId};
-use wirebend_sequence::{Obstacle, ObstacleRule, Structure, StructureError, Task, Violation};
+use wirebend_sequence::{Obstacle, ObstacleRule, Structure, StructureError, Task};
 
 use crate::design::Opened;
 

@@ -2,10 +2,11 @@
 
 use nalgebra::Vector3;
 use serde::Deserialize;
+use wirebend_core::checks::sequence::StepKind;
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{EdgeId, VertexId};
 use wirebend_files::read::frame::{StrutKind, direction, read_sequence};
-use wirebend_sequence::{Checked, GivenJoint, GivenStep, StepKind};
+use wirebend_sequence::{Checked, GivenJoint, GivenStep};
 
 use super::report::StepTypeName;
 use crate::PlanningError;

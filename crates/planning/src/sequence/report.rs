@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::time::Instant;
+use wirebend_core::checks::sequence::StepKind;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::checks::Diagnostic;
 use wirebend_sequence::{
-    Checked, GivenStep, Obstacle, ObstacleRule, Outcome, Partial, Step, StepKind, Strategy, Structure, Task,
-    cost,
+    Checked, GivenStep, Obstacle, ObstacleRule, Outcome, Partial, Step, Strategy, Structure, Task, cost,
 };
 
 use super::builder::BuilderSetup;

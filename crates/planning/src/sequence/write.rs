@@ -1,13 +1,14 @@
 //! A sequence as a file: for this command, for `FrameFab`, for programs that read assembly instances.
 
 use std::collections::BTreeMap;
+use wirebend_core::checks::sequence::StepKind;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
 use wirebend_error::InputName;
 use wirebend_files::read::frame::{SequenceFile, SequenceStep, StrutKind};
 use wirebend_files::write::frame::{BuiltMember, assembly_instances, framefab_sequence, vtk};
-use wirebend_sequence::{Outcome, Step, StepKind, Task};
+use wirebend_sequence::{Outcome, Step, Task};
 
 use super::report::SequenceResponse;
 use crate::PlanningError;

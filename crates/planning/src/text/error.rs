@@ -1,4 +1,4 @@
-//! Errors of `core` as a person reads them: what is wrong, and what would be right.
+//! Errors of the pure rooms as a person reads them: what is wrong, and what would be right.
 
 use wirebend_accuracy::ClosingError;
 use wirebend_core::compensate::{PegGeometryError, PegRadius, SpringbackError};

@@ -1,5 +1,5 @@
-//! Words for what `core` says in facts: the only place that makes sentences of findings, limits, remedies and core's
-//! errors.
+//! Words for what the pure rooms say in facts: the only place that makes sentences of findings, limits, remedies and
+//! their errors.
 //!
 //! One file for each group of checks. Every match is without a wildcard, so that a new finding does not compile until it
 //! has words. The words are those of no front end: a command line adds its options, a window its buttons. A message is a

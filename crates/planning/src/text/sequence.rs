@@ -1,9 +1,9 @@
 //! The order in which struts are built. Steps count from 1, as a person builds them.
 
 use wirebend_core::checks::Location;
+use wirebend_core::checks::sequence::{StepKind, Violation};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::EdgeId;
-use wirebend_sequence::{StepKind, Violation};
 
 use super::number::{count, digits_apart};
 

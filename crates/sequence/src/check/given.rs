@@ -1,12 +1,12 @@
 //! A sequence as somebody gives it: by edges, vertices and vectors.
 
 use nalgebra::Vector3;
+use wirebend_core::checks::sequence::StepKind;
+use wirebend_core::wireframe::{EdgeId, VertexId};
 
 use crate::builder::StrutBuilder;
 use crate::outcome::Step;
 use crate::structure::Structure;
-use wirebend_core::checks::StepKind;
-use wirebend_core::wireframe::{EdgeId, VertexId};
 
 /// A direction of unit length written with three digits is no farther off than this, rad.
 pub(super) const ROUNDING_RAD: f64 = 1e-3;

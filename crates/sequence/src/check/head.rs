@@ -1,10 +1,10 @@
 //! How near the head comes to a strut, by the distance from its surface.
 
 use nalgebra::{Point3, Vector3};
+use wirebend_core::wireframe::VertexId;
 
 use crate::search::Task;
 use crate::structure::Structure;
-use wirebend_core::wireframe::VertexId;
 
 /// The way of the head at a joint.
 pub(super) struct Way {

@@ -11,11 +11,11 @@ pub use given::{GivenJoint, GivenStep};
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use wirebend_core::checks::{StepKind, Violation};
-
-use super::search::Task;
+use wirebend_core::checks::sequence::{StepKind, Violation};
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{EdgeId, VertexId};
+
+use super::search::Task;
 
 /// What was found out about a sequence.
 #[derive(Debug, Clone, PartialEq, Default)]

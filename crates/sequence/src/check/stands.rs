@@ -1,12 +1,12 @@
 //! The sag of what stands, as a frame of nothing else.
 
 use nalgebra::Vector3;
+use wirebend_core::wireframe::VertexId;
 use wirebend_frame::{
     Assembly, Load, Member, Model, NodalLoad, NodeId, SectionId, SolveError, Support, Unstable,
 };
 
 use crate::search::Task;
-use wirebend_core::wireframe::VertexId;
 
 /// Two ways to compute the same differ by less.
 pub(super) const ROUNDING_MM: f64 = 1e-6;

@@ -1,6 +1,7 @@
 //! A task and a sequence as brute force takes them.
 
-use wirebend_sequence::{GivenStep, StepKind, Task};
+use wirebend_core::checks::sequence::StepKind;
+use wirebend_sequence::{GivenStep, Task};
 use wirebend_tests_brute as brute;
 
 /// All that is wrong with a sequence, by brute force.

@@ -2,11 +2,10 @@
 
 use nalgebra::{Point3, Vector3};
 use wirebend_collide::{DirectionSet, Head, Passage};
+use wirebend_core::checks::sequence::{StepKind, Violation};
 use wirebend_core::units::Angle;
 use wirebend_core::wireframe::{Vertex, Wireframe};
-use wirebend_sequence::{
-    GivenJoint, GivenStep, Groups, HeadDirections, StepKind, Structure, Task, Violation, check,
-};
+use wirebend_sequence::{GivenJoint, GivenStep, Groups, HeadDirections, Structure, Task, check};
 
 use super::frames::{HEAD, PublishedStep, abs, assembly, builder, bunny, published_bunny};
 

@@ -1,7 +1,8 @@
 //! Wires and rods that are placed at once.
 
+use wirebend_core::checks::sequence::StepKind;
 use wirebend_core::wireframe::EdgeId;
-use wirebend_sequence::{Groups, StepKind, Structure, StrutBuilder, cost};
+use wirebend_sequence::{Groups, Structure, StrutBuilder, cost};
 
 use super::confirm::searched;
 use super::frames::{assembly, both, builder};

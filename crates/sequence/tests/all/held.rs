@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use nalgebra::Point3;
+use wirebend_core::checks::sequence::Violation;
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Joint, JointKind, Vertex, VertexId, Wireframe};
 use wirebend_sequence::{
-    GivenStep, Groups, ObstacleRule, Outcome, Structure, StrutBuilder, Task, Violation, check, stiffest_order,
+    GivenStep, Groups, ObstacleRule, Outcome, Structure, StrutBuilder, Task, check, stiffest_order,
 };
 
 use super::brute;

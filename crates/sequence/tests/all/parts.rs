@@ -1,8 +1,9 @@
 //! Frames of two parts, each on its own ground.
 
 use nalgebra::Vector3;
+use wirebend_core::checks::sequence::Violation;
 use wirebend_core::wireframe::{EdgeId, Vertex, VertexId, Wireframe};
-use wirebend_sequence::{GivenStep, Groups, LayerOptions, Structure, Task, Violation, check, layers};
+use wirebend_sequence::{GivenStep, Groups, LayerOptions, Structure, Task, check, layers};
 use wirebend_tests_brute::Fault;
 
 use super::brute;

@@ -6,8 +6,9 @@ use std::sync::LazyLock;
 
 use nalgebra::{Rotation3, Vector3};
 use proptest::prelude::*;
+use wirebend_core::checks::sequence::Violation;
 use wirebend_core::wireframe::{Edge, EdgeId, Vertex, VertexId, Wireframe};
-use wirebend_sequence::{Checked, GivenJoint, GivenStep, Groups, Structure, Task, Violation, check};
+use wirebend_sequence::{Checked, GivenJoint, GivenStep, Groups, Structure, Task, check};
 
 use super::confirm::searched;
 use super::frames::{abs, assembly, builder};

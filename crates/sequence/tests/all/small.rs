@@ -3,11 +3,12 @@
 use std::ops::ControlFlow;
 
 use nalgebra::{Point3, Vector3};
+use wirebend_core::checks::sequence::{StepKind, Violation};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{EdgeId, VertexId};
 use wirebend_sequence::{
-    GivenJoint, GivenStep, Groups, ObstacleRule, Partial, SearchOptions, StepKind, Structure, StrutBuilder,
-    Task, Violation, check, search, search_by_paper,
+    GivenJoint, GivenStep, Groups, ObstacleRule, Partial, SearchOptions, Structure, StrutBuilder, Task,
+    check, search, search_by_paper,
 };
 
 use super::confirm::searched;

@@ -2,7 +2,7 @@
 
 use super::Fact;
 use crate::checks::Code;
-use crate::checks::violation::Violation;
+use crate::checks::sequence::Violation;
 
 impl Fact {
     /// The name of this kind of finding.

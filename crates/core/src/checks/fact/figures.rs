@@ -2,7 +2,7 @@
 
 use super::Fact;
 use crate::checks::limit::{Limit, LimitSource, Quantity};
-use crate::checks::violation::Violation;
+use crate::checks::sequence::Violation;
 use crate::units::Angle;
 
 impl Fact {

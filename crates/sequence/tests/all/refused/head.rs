@@ -2,8 +2,9 @@
 
 use nalgebra::{Point3, Vector3};
 use wirebend_collide::{DirectionSet, Passage};
+use wirebend_core::checks::sequence::Violation;
 use wirebend_core::wireframe::{EdgeId, VertexId};
-use wirebend_sequence::{Groups, Structure, Violation};
+use wirebend_sequence::{Groups, Structure};
 use wirebend_tests_brute::Fault;
 
 use super::super::frames::assembly;

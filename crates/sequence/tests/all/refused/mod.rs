@@ -5,8 +5,9 @@ mod order;
 mod steps;
 mod wires;
 
+use wirebend_core::checks::sequence::Violation;
 use wirebend_core::wireframe::EdgeId;
-use wirebend_sequence::{GivenStep, Groups, Structure, StrutBuilder, Task, Violation, check};
+use wirebend_sequence::{GivenStep, Groups, Structure, StrutBuilder, Task, check};
 use wirebend_tests_brute::Fault;
 
 use super::brute;

@@ -3,8 +3,9 @@
 use std::f64::consts::PI;
 
 use nalgebra::Vector3;
+use wirebend_core::checks::sequence::Violation;
 use wirebend_core::wireframe::{EdgeId, Vertex, VertexId, Wireframe};
-use wirebend_sequence::{GivenJoint, GivenStep, Groups, Structure, Violation};
+use wirebend_sequence::{GivenJoint, GivenStep, Groups, Structure};
 use wirebend_tests_brute::Fault;
 
 use super::{ARM, ARM_EDGE, BEAM_EDGE, Built, LONE_PILLAR_EDGE, POST_EDGE, builder};

@@ -1,7 +1,7 @@
 //! Steps that say what cannot be.
 
+use wirebend_core::checks::sequence::{StepKind, Violation};
 use wirebend_core::wireframe::{EdgeId, VertexId};
-use wirebend_sequence::{StepKind, Violation};
 use wirebend_tests_brute::{Fault, Kind};
 
 use super::{ARM_EDGE, BEAM_EDGE, Built, POST_EDGE};

@@ -1,8 +1,9 @@
 //! Bent wires that are placed at once.
 
 use nalgebra::Vector3;
+use wirebend_core::checks::sequence::Violation;
 use wirebend_core::wireframe::{EdgeId, VertexId};
-use wirebend_sequence::{GivenStep, Groups, StrutBuilder, Violation};
+use wirebend_sequence::{GivenStep, Groups, StrutBuilder};
 use wirebend_tests_brute::Fault;
 
 use super::{Built, builder, frame};
