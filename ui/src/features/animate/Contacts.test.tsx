@@ -26,7 +26,7 @@ beforeEach(async () => {
   forgetProgram();
   useRunFile.setState({ file: null });
   useCollisions.setState({ stands: "done", long: false, problem: null });
-  const collisions = { found: none, version: 3, dragged: false };
+  const collisions = { found: none, version: 3, profiles: 0, dragged: false };
   useDesign.setState({
     state: designState({ machine: "kit" }),
     vertices: new Map(),
@@ -46,14 +46,15 @@ it.each([
   ["what was found before a change", () => useDesign.setState({ version: 4 }), "Checking for collisions…"],
   [
     "where vertices are dragged to",
-    () => useDesign.setState({ collisions: { found: none, version: 3, dragged: true } }),
+    () => useDesign.setState({ collisions: { found: none, version: 3, profiles: 0, dragged: true } }),
     "Checking for collisions…",
   ],
   [
-    "another profile, which is being checked",
-    () => useCollisions.setState({ stands: "running" }),
+    "another profile",
+    () => useDesign.setState({ collisions: { found: none, version: 3, profiles: 1, dragged: false } }),
     "Checking for collisions…",
   ],
+  ["a check that is under way", () => useCollisions.setState({ stands: "running" }), "Checking for collisions…"],
   ["a program of the design before", () => useDesign.setState({ vertices: new Map() }), "Waiting for the program…"],
   [
     "collisions of a design that has another program",
@@ -61,7 +62,7 @@ it.each([
       useDesign.setState({
         vertices: new Map(),
         version: 4,
-        collisions: { found: some, version: 4, dragged: false },
+        collisions: { found: some, version: 4, profiles: 0, dragged: false },
       }),
     "Waiting for the program…",
   ],

@@ -85,7 +85,7 @@ const hitFirst = (contacts: readonly PlayedContact[]): string | null =>
 function Nothing({ missing, others }: { readonly missing: Missing | null; readonly others: boolean }) {
   const { stands } = useCollisions();
   const found = useDesign(({ collisions }) => collisions?.found);
-  // Profiles change what is hit, and not the design: what was found before stays until the next answer.
+  // What was found a moment ago stays until the next answer is there.
   const done = stands === "done" && missing !== "collisions";
   const checked = done && !missing && found?.checked ? found : null;
   const text = checked

@@ -5,6 +5,7 @@ const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(), listen: vi.fn(
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
 import type { Collisions, ContactReport, LiveCheck, WireFigures } from "../../generated/responses";
+import { useMachines } from "../machine/machines";
 import { lookForCollisions, stopCollisions, useCollisions } from "./collisions";
 import { useDesign } from "./design";
 
@@ -70,6 +71,26 @@ describe("the check for collisions", () => {
     expect(codes()).toEqual([]);
     await answer();
     expect([stands(), useDesign.getState().collisions?.dragged]).toEqual(["done", true]);
+  });
+
+  it("shows nothing of a profile before where that takes long, and takes no answer of it", async () => {
+    const change = () => useMachines.setState(({ changes }) => ({ changes: changes + 1 }));
+    check();
+    await vi.advanceTimersByTimeAsync(400);
+    await answer();
+    check();
+    expect(codes()).toEqual(["meets_machine"]);
+    await vi.advanceTimersByTimeAsync(400);
+    await answer();
+    change();
+    check();
+    expect([stands(), codes()]).toEqual(["running", []]);
+    change();
+    await answer();
+    expect(codes()).toEqual([]);
+    check();
+    await answer();
+    expect([stands(), codes()]).toEqual(["done", ["meets_machine"]]);
   });
 
   it("waits for the end of the drag where the last one took long, and shows nothing of before", async () => {

@@ -4,7 +4,8 @@ import { create } from "zustand";
 import type { Collisions } from "../../generated/responses";
 import { platform } from "../../platform";
 import { asking } from "../asking/work";
-import { type DesignStore, movedOf, showCollisions, useDesign } from "./design";
+import { useMachines } from "../machine/machines";
+import { type CollisionsOf, type DesignStore, movedOf, showCollisions, useDesign } from "./design";
 
 /** An answer within so many ms comes while a person drags, and that of the place before stays until then. */
 const QUICK = 100;
@@ -49,7 +50,7 @@ export function useKnown(): Known {
   return stands === "running" && !found ? "checking" : "unchecked";
 }
 
-type Question = Pick<DesignStore, "version" | "dragged">;
+type Question = Pick<DesignStore, "version" | "dragged"> & Pick<CollisionsOf, "profiles">;
 
 let wanted: Question | null = null;
 /** When the one that is under way was begun; null where none is. */
@@ -67,8 +68,11 @@ export function lookForCollisions(): void {
     putOff(no ? "none" : "waiting");
     return;
   }
-  if (!isQuick && collisions?.version !== version) showCollisions(null);
-  wanted = { version, dragged };
+  const profiles = useMachines.getState().changes;
+  // What was found in another design or with another profile says nothing of this one.
+  const isOther = collisions?.version !== version || collisions.profiles !== profiles;
+  if (!isQuick && isOther) showCollisions(null);
+  wanted = { version, profiles, dragged };
   if (since === null) void lookForWanted();
   else if (performance.now() - since > QUICK) void stop();
 }
@@ -92,7 +96,7 @@ async function stop(): Promise<void> {
 
 async function lookForWanted(): Promise<void> {
   while (wanted) {
-    const { version, dragged }: Question = wanted;
+    const { version, profiles, dragged }: Question = wanted;
     wanted = null;
     since = performance.now();
     useCollisions.setState({ ...NONE, stands: "running" });
@@ -107,9 +111,10 @@ async function lookForWanted(): Promise<void> {
     if (found && !found.stopped) took = performance.now() - since;
     since = null;
     // Of a design that is another one by now it says nothing.
-    const holds = version === useDesign.getState().version && useCollisions.getState().stands === "running";
+    const same = version === useDesign.getState().version && profiles === useMachines.getState().changes;
+    const holds = same && useCollisions.getState().stands === "running";
     if (!holds) continue;
-    if (found && !found.stopped) showCollisions({ found, version, dragged: dragged.length > 0 });
+    if (found && !found.stopped) showCollisions({ found, version, profiles, dragged: dragged.length > 0 });
     if (wanted) continue;
     if (problem !== null || found?.stopped) showCollisions(null);
     useCollisions.setState({

@@ -39,10 +39,12 @@ export interface DesignStore extends SceneDesign {
 
 const UNCHECKED = { check: null, limits: null, dragged: [], collisions: null } as const;
 
-/** Where the wires hit the machine or themselves, and in which version of the design. */
+/** Where the wires hit the machine or themselves, and in which version of the design, with which profiles. */
 export interface CollisionsOf {
   readonly found: Collisions;
   readonly version: number;
+  /** How often profiles were changed by then. */
+  readonly profiles: number;
   /** Whether vertices were being dragged. */
   readonly dragged: boolean;
 }

@@ -27,7 +27,13 @@ const found: Collisions = {
     { ...contact(1, 0.1, 5), depth_mm: -0.2 },
   ],
 };
-const known = (more: Partial<CollisionsOf> = {}): CollisionsOf => ({ found, version: 3, dragged: false, ...more });
+const known = (more: Partial<CollisionsOf> = {}): CollisionsOf => ({
+  found,
+  version: 3,
+  profiles: 0,
+  dragged: false,
+  ...more,
+});
 
 beforeEach(async () => {
   forgetProgram();
@@ -62,6 +68,7 @@ describe("playing", () => {
   it.each([
     ["dragged vertices", { collisions: known({ dragged: true }) }],
     ["another version of the design", { collisions: known({ version: 2 }) }],
+    ["another profile", { collisions: known({ profiles: 1 }) }],
     ["a design that is not that of the program", { vertices: new Map() }],
     ["a design that nobody has looked at", { collisions: null }],
   ])("does not pause for collisions of %s", (_, state) => {

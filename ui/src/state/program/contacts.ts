@@ -4,6 +4,7 @@ import { create } from "zustand";
 import type { ContactReport } from "../../generated/responses";
 import type { Touch } from "../../scene/interface";
 import { useDesign } from "../design/design";
+import { useMachines } from "../machine/machines";
 import { store, stored } from "../window/ui";
 import { isUpToDate, usePlayback, useProgram, useStale } from "./program";
 import { useRunFile } from "./run_file";
@@ -36,7 +37,9 @@ export type Missing = "collisions" | "program";
 
 function missing(upToDate: boolean): Missing | null {
   const { collisions, version } = useDesign.getState();
-  if (!collisions || collisions.dragged || collisions.version !== version) return "collisions";
+  const { changes } = useMachines.getState();
+  const same = collisions?.version === version && collisions.profiles === changes;
+  if (!same || collisions.dragged) return "collisions";
   return upToDate ? null : "program";
 }
 
@@ -72,6 +75,7 @@ interface Contacts {
 export function useContacts(): Contacts {
   useDesign(({ collisions }) => collisions);
   useDesign(({ version }) => version);
+  useMachines(({ changes }) => changes);
   useRunFile();
   const wire = useProgram((program) => program.wire);
   const upToDate = !useStale();

@@ -109,7 +109,7 @@ describe("a way without collisions that takes more wires", () => {
       .mockReset()
       .mockImplementation((async (name: string) => (name === "avoid-collisions" ? outcome : null)) as never);
     const limits = { wires: [{}] } as unknown as LiveCheck;
-    useDesign.setState({ limits, collisions: { found: collisions, version: 1, dragged: false } });
+    useDesign.setState({ limits, collisions: { found: collisions, version: 1, profiles: 0, dragged: false } });
     await avoidCollisions();
     expect(ask).not.toHaveBeenCalledWith("edit", expect.anything());
     expect(useAvoiding.getState().avoiding?.outcome?.best).toBe(way);
