@@ -12,6 +12,7 @@ import { useFrame } from "../../state/frame/frame";
 import { drawnForces } from "../../state/frame/loads";
 import { useShape } from "../../state/frame/shape";
 import { useByHand } from "../../state/machine/by_hand";
+import { useMachines } from "../../state/machine/machines";
 import { coloursOf, shownDesign } from "../../state/parts/parts";
 import { predictedNow, usePrediction } from "../../state/prediction/prediction";
 import { touchesNow } from "../../state/program/contacts";
@@ -285,6 +286,7 @@ export function show(scene: Scene): () => void {
     follow(useSequence, ({ shown, at, layers, found, changed }) => [shown, at, layers, found, changed], struts),
     follow(usePrediction, ({ answer, shown, noise, within }) => [answer, shown, noise, within], spread),
     follow(useDesign, ({ version, state }) => [version, state?.machine, state?.material], spread),
+    follow(useMachines, ({ changes }) => [changes], spread),
     follow(usePlayback, ({ played }) => [played], playedSpread),
     follow(useProgram, ({ basis, wire }) => [basis, wire], playedSpread),
     follow(useFrame, ({ hold, chosen, forces, loadFile }) => [hold, chosen, forces, loadFile], supports),

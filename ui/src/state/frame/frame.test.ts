@@ -4,6 +4,7 @@ const ask = vi.hoisted(() => vi.fn());
 vi.mock("../../platform", () => ({ platform: { ask }, Refused: class Refused extends Error {} }));
 
 import { useDesign } from "../design/design";
+import { useMachines } from "../machine/machines";
 import { usePlayback } from "../program/program";
 import { designState } from "../testing";
 import { extent, largest, movedOf, usualScale } from "./figures";
@@ -13,6 +14,8 @@ import {
   chooseFrame,
   computeFrame,
   forgetFrame,
+  isFrameStale,
+  isToleranceStale,
   keepSupports,
   require,
   setPicking,
@@ -111,7 +114,28 @@ describe("supports", () => {
   });
 });
 
+const changeProfile = () => useMachines.setState(({ changes }) => ({ changes: changes + 1 }));
+
+it("is of the design and the profiles as they were", async () => {
+  ask.mockResolvedValue(frameShown());
+  for (const change of [() => useDesign.setState({ version: 2 }), changeProfile, () => chooseFrame({ modes: 2 })]) {
+    await computeFrame();
+    expect(isFrameStale()).toBe(false);
+    change();
+    expect(isFrameStale()).toBe(true);
+  }
+});
+
 describe("the tolerance", () => {
+  it("is of the profiles as they were", async () => {
+    ask.mockResolvedValue({ governed_by: "force" });
+    require({ force: 1 });
+    await askTolerance();
+    expect(isToleranceStale()).toBe(false);
+    changeProfile();
+    expect(isToleranceStale()).toBe(true);
+  });
+
   it("asks for what is required", async () => {
     ask.mockResolvedValue({ material: "wire", governed_by: "force", achieved: {}, notes: [] });
     require({ force: 5, vary: "both" });

@@ -8,6 +8,7 @@ import type { Vec3 } from "../../scene/interface";
 import { told } from "../asking/problems";
 import { asking } from "../asking/work";
 import { useDesign } from "../design/design";
+import { useMachines } from "../machine/machines";
 import { type Faces, facesAsked, facesStillThere } from "./faces";
 import { showFrame } from "./shape";
 
@@ -156,6 +157,7 @@ function basisOf(choice: FrameChoice): string {
   const { version, state } = useDesign.getState();
   return JSON.stringify([
     version,
+    useMachines.getState().changes,
     state?.material,
     choice.errors === null ? null : state?.machine,
     frameRequest(choice),
@@ -182,20 +184,35 @@ function toleranceBasis({ required, material, closing, double, faces }: FrameSto
   const { version, state } = useDesign.getState();
   const { continuum } = required;
   const design = continuum ? null : [version, state?.machine, closing, double, faces];
-  return JSON.stringify([design, state?.material, required, material]);
+  return JSON.stringify([design, useMachines.getState().changes, state?.material, required, material]);
 }
 
 /** Whether anything was changed since the frame was computed. */
-export function useFrameStale(): boolean {
-  useDesign();
-  const frame = useFrame();
+export function isFrameStale(): boolean {
+  const frame = useFrame.getState();
   return frame.answer !== null && frame.answer.basis !== basisOf(frame);
 }
 
-export function useToleranceStale(): boolean {
-  useDesign();
-  const frame = useFrame();
+export function isToleranceStale(): boolean {
+  const frame = useFrame.getState();
   return frame.tolerance !== null && frame.tolerance.basis !== toleranceBasis(frame);
+}
+
+/** What {@link isFrameStale} depends on: who shows it is drawn anew. */
+function useBases(): void {
+  useDesign();
+  useFrame();
+  useMachines(({ changes }) => changes);
+}
+
+export function useFrameStale(): boolean {
+  useBases();
+  return isFrameStale();
+}
+
+export function useToleranceStale(): boolean {
+  useBases();
+  return isToleranceStale();
 }
 
 const wordsOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));

@@ -6,6 +6,7 @@ vi.mock("../../platform", () => ({ platform: { ask }, Refused: class Refused ext
 import type { Prediction } from "../../generated/responses";
 import { useDesign } from "../design/design";
 import { useFrame } from "../frame/frame";
+import { useMachines } from "../machine/machines";
 import { designState } from "../testing";
 import {
   choosePrediction,
@@ -60,6 +61,14 @@ describe("predicting", () => {
     expect(predictedNow()).toBeNull();
     choosePrediction({ shown: true });
     useDesign.setState({ version: 2 });
+    expect(predictedNow()).toBeNull();
+  });
+
+  it("shows nothing of a profile before", async () => {
+    ask.mockResolvedValue({ found });
+    await predict();
+    expect(predictedNow()).toEqual(found);
+    useMachines.setState(({ changes }) => ({ changes: changes + 1 }));
     expect(predictedNow()).toBeNull();
   });
 

@@ -68,12 +68,14 @@ const taken = (): string | null =>
 
 function basisOf(): string {
   const { version, state } = useDesign.getState();
-  return JSON.stringify([version, state?.machine, state?.material, taken(), usePrediction.getState().within]);
+  const { changes } = useMachines.getState();
+  return JSON.stringify([version, changes, state?.machine, state?.material, taken(), usePrediction.getState().within]);
 }
 
 /** Whether anything was changed since it was predicted. */
 export function usePredictionStale(): boolean {
   useDesign();
+  useMachines(({ changes }) => changes);
   useFrame(({ choices }) => choices);
   const { answer } = usePrediction();
   return answer !== null && answer.basis !== basisOf();

@@ -6,6 +6,7 @@ vi.mock("../../platform", () => ({ platform: { ask }, Refused: class Refused ext
 import { useDesign } from "../design/design";
 import { showFrame, useShape } from "../frame/shape";
 import { smallFrame } from "../frame/testing";
+import { useMachines } from "../machine/machines";
 import { usePlayback } from "../program/program";
 import { designState } from "../testing";
 import { advanced } from "./clock";
@@ -16,6 +17,7 @@ import {
   findSequence,
   forgetSequence,
   hideSequence,
+  isSequenceStale,
   moveStep,
   slideTo,
   stepAt,
@@ -46,6 +48,20 @@ it("finds a sequence, and shows all of it built in place of a frame", async () =
   });
   expect(useSequence.getState()).toMatchObject({ shown: true, at: 2, problem: null });
   expect(useShape.getState().view).toBeNull();
+});
+
+it("is of the design, the builder and the profiles as they were", async () => {
+  const changes = [
+    () => useDesign.setState({ version: 2 }),
+    () => useMachines.setState(({ changes }) => ({ changes: changes + 1 })),
+    () => chooseBuilder("other"),
+  ];
+  for (const change of changes) {
+    await findSequence("abs");
+    expect(isSequenceStale()).toBe(false);
+    change();
+    expect(isSequenceStale()).toBe(true);
+  }
 });
 
 it("shows nothing of a search that has found none, or was refused", async () => {

@@ -8,6 +8,7 @@ import { asking } from "../asking/work";
 import { useDesign } from "../design/design";
 import { showFrame } from "../frame/shape";
 import { hideByHand } from "../machine/by_hand";
+import { useMachines } from "../machine/machines";
 import { showDesignAgain, usePlayback } from "../program/program";
 
 interface SequenceStore {
@@ -80,13 +81,21 @@ export function showLayers(layers: boolean): void {
 }
 
 function basisOf({ machine, epsilon, groupBy }: Pick<SequenceStore, "machine" | "epsilon" | "groupBy">): string {
-  return JSON.stringify([useDesign.getState().version, machine, epsilon, groupBy]);
+  const { version } = useDesign.getState();
+  return JSON.stringify([version, useMachines.getState().changes, machine, epsilon, groupBy]);
+}
+
+/** Whether anything was changed since it was found. */
+export function isSequenceStale(): boolean {
+  const sequence = useSequence.getState();
+  return sequence.found !== null && sequence.basis !== basisOf(sequence);
 }
 
 export function useSequenceStale(): boolean {
   useDesign();
-  const sequence = useSequence();
-  return sequence.found !== null && sequence.basis !== basisOf(sequence);
+  useSequence();
+  useMachines(({ changes }) => changes);
+  return isSequenceStale();
 }
 
 const wordsOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
