@@ -45,7 +45,18 @@ const UNCHECKED: &[&str] = &["Length::computed", "Angle::computed"];
 
 /// External crates that a pure room uses outside tests and that are not in the table.
 pub(super) fn check_dependencies(members: &[Member], files: &[TreeFile]) -> Vec<Finding> {
-    let mut findings = Vec::new();
+    let is_there = |room: &&&str| members.iter().any(|member| member.room == **room);
+    let gone = PURE_ROOMS.iter().filter(|room| !is_there(room)).map(|room| {
+        let what = format!("names {room}, which is no crate");
+        Finding::new(
+            &format!("{RULES}mod.rs"),
+            1,
+            what,
+            WHY,
+            "name the crate that it has become in PURE_ROOMS",
+        )
+    });
+    let mut findings: Vec<Finding> = gone.collect();
     for member in members.iter().filter(|member| PURE_ROOMS.contains(&member.room.as_str())) {
         let used = member.dependencies.iter().filter(|used| used.ships && used.room.is_none());
         for used in used.filter(|used| !MAY_USE.contains(&used.name.as_str())) {
@@ -196,15 +207,18 @@ mod tests {
     #[test]
     fn a_crate_that_does_io_is_refused_and_test_crates_are_free() {
         let on = |name: &str, ships| Dependency { name: name.to_owned(), ships, room: None };
-        for room in PURE_ROOMS {
-            let member = Member {
-                room: (*room).to_owned(),
-                dependencies: vec![on("nalgebra", true), on("serde_json", true), on("proptest", false)],
-            };
-            let path = format!("{room}/Cargo.toml");
-            let manifest = file(&path, "[dependencies]\nnalgebra = \"1\"\nserde_json = \"1\"\n");
-            assert_eq!(places(&check_dependencies(&[member], &[manifest])), [format!("{path}:3")]);
-        }
+        let member = |room: &&str| Member {
+            room: (*room).to_owned(),
+            dependencies: vec![on("nalgebra", true), on("serde_json", true), on("proptest", false)],
+        };
+        let manifest = |room: &&str| {
+            file(&format!("{room}/Cargo.toml"), "[dependencies]\nnalgebra = \"1\"\nserde_json = \"1\"\n")
+        };
+        let members: Vec<Member> = PURE_ROOMS.iter().map(member).collect();
+        let manifests: Vec<_> = PURE_ROOMS.iter().map(manifest).collect();
+        let expected: Vec<String> = PURE_ROOMS.iter().map(|room| format!("{room}/Cargo.toml:3")).collect();
+        assert_eq!(places(&check_dependencies(&members, &manifests)), expected);
+        assert_eq!(places(&check_dependencies(&members[1..], &manifests))[0], "xtask/src/tidy/mod.rs:1");
     }
 
     #[test]

@@ -10,7 +10,12 @@ use super::trials::Trial;
 /// also without more warnings.
 pub(super) fn is_fixed(before: &Trial, after: &Trial, diagnostic: &Diagnostic) -> bool {
     let said = |trial: &Trial| trial.diagnostics().filter(|d| d.code() == diagnostic.code()).count();
-    let here = |trial: &Trial| trial.diagnostics().filter(|d| same_place(d, diagnostic)).count();
+    // An edge that is moved away from one edge and into another meets one as before.
+    let is_here = |other: &&Diagnostic| match diagnostic.code() {
+        Code::EdgesMeet => other.code() == Code::EdgesMeet && share_edge(other, diagnostic),
+        _ => same_place(other, diagnostic),
+    };
+    let here = |trial: &Trial| trial.diagnostics().filter(is_here).count();
     said(after) < said(before)
         && here(after) < here(before)
         && is_no_worse(before, after, diagnostic.is_error())

@@ -180,6 +180,29 @@ fn any_design() -> impl Strategy<Value = Vec<serde_json::Value>> {
     )
 }
 
+/// Edge 3 is offered no move that takes it from the edge that it meets into another.
+#[test]
+fn an_edge_is_not_moved_from_one_that_it_meets_into_another() {
+    let at = [
+        [-49, -19, 51],
+        [-41, 0, 18],
+        [-34, -11, -33],
+        [-32, -59, -12],
+        [0, 0, 0],
+        [-9, -27, 41],
+        [50, -15, -10],
+        [0, 0, 0],
+        [1, 21, -8],
+    ];
+    let vertices: Vec<_> = at.iter().map(|at| json!({"at_mm": at})).collect();
+    let edges = [[8, 0], [3, 1], [6, 0], [1, 5], [2, 0]];
+    let mut editor = Editor::new(&app(), Some("wirebend-kit"), None).unwrap();
+    edit(&mut editor, &json!({"edit": "paste", "vertices": vertices, "edges": edges}));
+    edit(&mut editor, &json!({"edit": "start", "vertex": 6}));
+    let fixes = promised(&mut editor, &app());
+    assert!(fixes.iter().any(|fix| fix.mends.code.as_str() == "edges_meet"), "{fixes:?}");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
     #[test]
