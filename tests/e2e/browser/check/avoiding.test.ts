@@ -1,4 +1,5 @@
 import { readFileSync } from "node:fs";
+import type { Locator } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { Editor, until } from "../../support/editor.ts";
 
@@ -13,6 +14,8 @@ const animate = () => editor.section("animate");
 const button = (name: string) => animate().getByRole("button", { name, exact: true });
 const search = () => button("Avoid collisions").or(button("Search again"));
 const fix = (title: string) => animate().locator(".fix", { hasText: title });
+
+const placeOf = async (one: Locator) => (await one.boundingBox()) ?? { x: 0, y: 0 };
 
 /** A number in the settings of the search. */
 async function set(label: string, value: string): Promise<void> {
@@ -65,10 +68,18 @@ it("says what was in the way of a search, leads there, and makes what was tried 
   // Also what is between two things of a section stays under the pointer when the list above them comes back.
   const expected = animate().locator(".expected");
   const accuracy = expected.locator("..");
-  for (const below of [expected, accuracy]) {
+  const contacts = animate()
+    .locator(".stack", { has: editor.page.getByLabel("Stop at collisions") })
+    .last();
+  for (const [above, below] of [
+    [expected, expected],
+    // From between two things to between two others of the same section, without anything in between.
+    [contacts, accuracy],
+  ] as const) {
     // What is above the panel's upper edge has no pointer on it.
     await below.evaluate((element) => element.scrollIntoView({ block: "center" }));
-    const { x, y } = (await below.boundingBox()) ?? { x: 0, y: 0 };
+    const [from, { x, y }] = [await placeOf(above), await placeOf(below)];
+    await editor.page.mouse.move(from.x + 40, from.y - 3);
     await editor.page.mouse.move(x + 40, y - 3);
     await editor.page.keyboard.press("Control+z");
     await until(() => search().count()).toBe(1);

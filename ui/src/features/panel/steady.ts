@@ -1,5 +1,9 @@
 import { type RefObject, useEffect } from "react";
 
+/** A picture is one thing: what it shows may turn. Between two things the pointer is at the lower one. */
+const lower = (on: Element, y: number): Element =>
+  on.closest("svg") ?? [...on.children].find((child) => child.getBoundingClientRect().bottom > y) ?? on;
+
 /**
  * What is held, of what the pointer is on: the first that is still there. A row stays where one of its buttons becomes another. What has a scroll of
  * its own stands before what the pointer itself is on, which that scroll moves.
@@ -8,8 +12,7 @@ const HELD: readonly ((on: Element, y: number) => Element | null | undefined)[] 
   (on) => on.closest("button, input, select, textarea, label, summary"),
   (on) => on.closest(".row"),
   (on) => on.closest("[role=listbox], [role=list], [role=table], [role=log], ul, table, fieldset"),
-  // A picture is one thing: what it shows may turn. Between two things the lower one is held.
-  (on, y) => on.closest("svg") ?? [...on.children].find((child) => child.getBoundingClientRect().bottom > y) ?? on,
+  lower,
   (on) => on.closest(".fold"),
   (on) => on.closest(".part"),
   (on) => on.closest(".section"),
@@ -89,6 +92,13 @@ export function useSteady(box: RefObject<HTMLElement | null>, parts: string): vo
       look();
     };
     scrolled.addEventListener("pointerover", point, { signal });
+    // From between two things it may come between two others of the same box at once, which is on nothing else.
+    const move = (event: PointerEvent) => {
+      const { target, clientY } = event;
+      const between = target instanceof Element && target.childElementCount > 0 && target !== scrolled;
+      if (between && !under.some(({ element }) => element === lower(target, clientY))) point(event);
+    };
+    scrolled.addEventListener("pointermove", move, { signal });
     // Contents that have become too short scroll the box too, maybe before their size is reported.
     scrolled.addEventListener("scroll", () => (scrolled.scrollHeight === height ? look() : void hold()), { signal });
     scrolled.addEventListener(
