@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { DiagnosticReport, LiveCheck, WireFigures } from "../../generated/responses";
 import type { DesignState } from "../../state/design/design";
 import { designState } from "../../state/testing";
-import { checksPhrase, figures, savedPhrase, workPhrase } from "./figures";
+import { checksOfFile, checksPhrase, figures, savedPhrase, workPhrase } from "./figures";
 
 const wire = (given: Partial<WireFigures> = {}): WireFigures => ({
   bends: 176,
@@ -107,6 +107,22 @@ describe("checksPhrase", () => {
 
   it("does not call fine what is not feasible", () => {
     expect(checksPhrase(check([], [], false), "checked")?.tone).toBe("error");
+  });
+});
+
+describe("checksOfFile", () => {
+  const fine = { findings: [], notes: [], feasible: true };
+
+  it("says that nothing is hit of a program alone: of a job that is looked for when it is armed", () => {
+    expect(checksOfFile({ ...fine, kind: "program" })).toEqual({ text: "no collision found", tone: "fine" });
+    expect(checksOfFile({ ...fine, kind: "job" })).toEqual({ text: "collisions not checked", tone: "fine" });
+    expect(checksOfFile({ ...fine, kind: "moves" })).toBeNull();
+  });
+
+  it("says first what is wrong", () => {
+    const note = { code: "collisions-not-searched", count: 9, message: "not searched", remedies: [] };
+    expect(checksOfFile({ ...fine, kind: "program", notes: [note] })?.text).toBe("1 warning");
+    expect(checksOfFile({ ...fine, kind: "job", feasible: false })?.tone).toBe("error");
   });
 });
 

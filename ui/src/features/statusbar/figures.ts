@@ -116,7 +116,9 @@ export function checksOfFile({
   const [errors, warnings] = [of("error"), of("warning") + notes.length];
   if (errors > 0) return { text: `${count(errors, "error")} in the file`, tone: "error" };
   if (!feasible) return { text: "not feasible", tone: "error" };
-  return warnings > 0 ? { text: count(warnings, "warning"), tone: "warning" } : { text: FINE.checked, tone: "fine" };
+  if (warnings > 0) return { text: count(warnings, "warning"), tone: "warning" };
+  // What a job hits is looked for when it is armed.
+  return { text: kind === "program" ? FINE.checked : FINE.unchecked, tone: "fine" };
 }
 
 /** Whether everything is kept in a file; a warning where even what is not saved cannot be kept safe. */
