@@ -31,10 +31,14 @@ const PURE_ROOMS: &[&str] = &["crates/core", "crates/accuracy", "crates/sequence
 /// This folder, which names what it forbids.
 const RULES: &str = "xtask/src/tidy/";
 
+/// The path of a file within its pure room; none where it is in no such room.
+fn in_pure_room(path: &str) -> Option<&str> {
+    PURE_ROOMS.iter().find_map(|room| path.strip_prefix(room)?.strip_prefix('/'))
+}
+
 /// Whether a file is among the sources of a pure room.
 fn is_pure(path: &str) -> bool {
-    let within = |room: &&str| path.strip_prefix(*room).is_some_and(|rest| rest.starts_with("/src/"));
-    PURE_ROOMS.iter().any(within)
+    in_pure_room(path).is_some_and(|rest| rest.starts_with("src/"))
 }
 
 /// Checks every rule on the workspace at `root` and prints what it finds; an error when anything must be changed.

@@ -4,7 +4,7 @@ use super::finding::Finding;
 use super::members::Member;
 use super::rust_source::{code_only, line_at, without_tests, words};
 use super::tree::TreeFile;
-use super::{PURE_ROOMS, RULES, is_pure};
+use super::{PURE_ROOMS, RULES, in_pure_room, is_pure};
 
 const WHY: &str = "it is pure, so that the same input always gives the same wire";
 
@@ -76,9 +76,7 @@ pub(super) fn check_dependencies(members: &[Member], files: &[TreeFile]) -> Vec<
 
 /// Lengths and angles that are taken for computed where they may come from outside: there they are checked.
 pub(super) fn check_units(files: &[TreeFile]) -> Vec<Finding> {
-    let is_outside = |file: &&TreeFile| {
-        file.has_extension(&["rs"]) && !PURE_ROOMS.iter().any(|room| file.path.starts_with(room))
-    };
+    let is_outside = |file: &&TreeFile| file.has_extension(&["rs"]) && in_pure_room(&file.path).is_none();
     let named = |file: &TreeFile| {
         let code = code_only(file.text.as_deref().unwrap_or_default());
         let uses = UNCHECKED.iter().flat_map(|name| words(&code, name).map(move |at| (at, *name)));
@@ -225,6 +223,7 @@ mod tests {
     fn a_number_that_is_not_checked_is_refused_outside_the_pure_rooms() {
         let found = |path| places(&check_units(&[file(path, "fn f() {\n    Length::computed(1.0);\n}\n")]));
         assert_eq!(found("crates/files/src/x.rs"), ["crates/files/src/x.rs:2"]);
+        assert_eq!(found("crates/core-x/src/x.rs"), ["crates/core-x/src/x.rs:2"]);
         assert!(found("crates/accuracy/src/x.rs").is_empty());
     }
 }
