@@ -88,18 +88,18 @@ function Nothing({ missing, others }: { readonly missing: Missing | null; readon
   // What was found a moment ago stays until the next answer is there.
   const done = stands === "done" && missing !== "collisions";
   const checked = done && !missing && found?.checked ? found : null;
-  const text = checked
-    ? [others ? "No collision of this wire found." : "No collision found.", estimatesOf(checked)]
-        .filter(Boolean)
-        .join(" ")
-    : done && missing
-      ? "Waiting for the program…"
-      : !done && (found || stands === "running" || stands === "waiting")
-        ? "Checking for collisions…"
-        : "Collisions are not checked.";
+  const checking = !done && (found || stands === "running" || stands === "waiting");
+  const text = (): string => {
+    if (checked) {
+      const none = others ? "No collision of this wire found." : "No collision found.";
+      return [none, estimatesOf(checked)].filter(Boolean).join(" ");
+    }
+    if (checking) return "Checking for collisions…";
+    return done && missing ? "Waiting for the program…" : "Collisions are not checked.";
+  };
   return (
     <p className="two-lines muted small">
-      {text} {checked && checked.estimates > 0 && <EnterDimensions />}
+      {text()} {checked && checked.estimates > 0 && <EnterDimensions />}
     </p>
   );
 }

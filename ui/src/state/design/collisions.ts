@@ -52,6 +52,10 @@ export function useKnown(): Known {
 
 type Question = Pick<DesignStore, "version" | "dragged"> & Pick<CollisionsOf, "profiles">;
 
+/** Whether they are those of the design and the profiles as they are. */
+export const isCurrent = ({ version, profiles }: Pick<CollisionsOf, "version" | "profiles">): boolean =>
+  version === useDesign.getState().version && profiles === useMachines.getState().changes;
+
 let wanted: Question | null = null;
 /** When the one that is under way was begun; null where none is. */
 let since: number | null = null;
@@ -68,11 +72,9 @@ export function lookForCollisions(): void {
     putOff(no ? "none" : "waiting");
     return;
   }
-  const profiles = useMachines.getState().changes;
   // What was found in another design or with another profile says nothing of this one.
-  const isOther = collisions?.version !== version || collisions.profiles !== profiles;
-  if (!isQuick && isOther) showCollisions(null);
-  wanted = { version, profiles, dragged };
+  if (!isQuick && collisions && !isCurrent(collisions)) showCollisions(null);
+  wanted = { version, profiles: useMachines.getState().changes, dragged };
   if (since === null) void lookForWanted();
   else if (performance.now() - since > QUICK) void stop();
 }
@@ -111,8 +113,7 @@ async function lookForWanted(): Promise<void> {
     if (found && !found.stopped) took = performance.now() - since;
     since = null;
     // Of a design that is another one by now it says nothing.
-    const same = version === useDesign.getState().version && profiles === useMachines.getState().changes;
-    const holds = same && useCollisions.getState().stands === "running";
+    const holds = isCurrent({ version, profiles }) && useCollisions.getState().stands === "running";
     if (!holds) continue;
     if (found && !found.stopped) showCollisions({ found, version, profiles, dragged: dragged.length > 0 });
     if (wanted) continue;

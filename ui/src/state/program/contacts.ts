@@ -3,6 +3,7 @@
 import { create } from "zustand";
 import type { ContactReport } from "../../generated/responses";
 import type { Touch } from "../../scene/interface";
+import { isCurrent } from "../design/collisions";
 import { useDesign } from "../design/design";
 import { useMachines } from "../machine/machines";
 import { store, stored } from "../window/ui";
@@ -36,10 +37,8 @@ function played(contacts: readonly ContactReport[]): readonly PlayedContact[] {
 export type Missing = "collisions" | "program";
 
 function missing(upToDate: boolean): Missing | null {
-  const { collisions, version } = useDesign.getState();
-  const { changes } = useMachines.getState();
-  const same = collisions?.version === version && collisions.profiles === changes;
-  if (!same || collisions.dragged) return "collisions";
+  const { collisions } = useDesign.getState();
+  if (!collisions || !isCurrent(collisions) || collisions.dragged) return "collisions";
   return upToDate ? null : "program";
 }
 
