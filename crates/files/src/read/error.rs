@@ -49,6 +49,9 @@ pub enum ReadError {
         /// What the system says.
         error: std::io::Error,
     },
+    /// It is a folder.
+    #[error("{file} is a folder, not a file")]
+    Folder { file: String },
     /// The file is larger than any sensible one of its format.
     #[error("{file} has {bytes} bytes, the limit is {limit}")]
     TooLarge {
@@ -200,7 +203,7 @@ impl ReadError {
     #[must_use]
     pub fn code(&self) -> ErrorCode {
         match self {
-            Self::Io { .. } => ErrorCode::ReadIo,
+            Self::Io { .. } | Self::Folder { .. } => ErrorCode::ReadIo,
             Self::TooLarge { .. } => ErrorCode::ReadTooLarge,
             Self::UnknownFormat { .. } | Self::GCode { .. } | Self::Order { .. } => {
                 ErrorCode::ReadUnknownFormat
@@ -232,6 +235,7 @@ impl ReadError {
     pub fn remedies(&self) -> Vec<ErrorRemedy> {
         vec![match self {
             Self::Io { .. } => ErrorRemedy::CheckReadable,
+            Self::Folder { .. } => ErrorRemedy::ChooseOtherFile,
             Self::TooLarge { .. } | Self::TooMany { .. } => ErrorRemedy::SimplifyModel,
             Self::UnknownFormat { .. } => ErrorRemedy::ChooseFileFormat,
             Self::Syntax { remedy, .. } | Self::Unsupported { remedy, .. } => (**remedy).clone(),

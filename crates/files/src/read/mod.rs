@@ -165,7 +165,7 @@ fn read_as(
 /// The bytes of a file, up to 64 MiB; up to 512 MiB for the mesh formats STL, PLY, 3MF and glTF.
 ///
 /// # Errors
-/// [`ReadError::Io`] and [`ReadError::TooLarge`].
+/// [`ReadError::Io`], [`ReadError::Folder`] and [`ReadError::TooLarge`].
 pub fn read_file(path: &Path) -> Result<Vec<u8>, ReadError> {
     const MIB: u64 = 1 << 20;
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
@@ -178,7 +178,11 @@ fn read_up_to(path: &Path, limit: u64) -> Result<Vec<u8>, ReadError> {
     let name = path.display().to_string();
     let io = |error| ReadError::Io { file: name.clone(), error };
     let file = std::fs::File::open(path).map_err(io)?;
-    let bytes = file.metadata().map_err(io)?.len();
+    let metadata = file.metadata().map_err(io)?;
+    if metadata.is_dir() {
+        return Err(ReadError::Folder { file: name });
+    }
+    let bytes = metadata.len();
     if bytes > limit {
         return Err(ReadError::TooLarge { file: name, bytes, limit });
     }

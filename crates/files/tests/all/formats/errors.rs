@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use expect_test::{Expect, expect};
+use wirebend_error::ErrorRemedy;
 use wirebend_files::read::{Format, ReadOptions, detect, read, read_file};
 
 use super::{import, mm};
@@ -350,10 +351,14 @@ fn an_explicit_format_wins_and_options_are_checked() {
 }
 
 #[test]
-fn files_that_are_not_there_or_too_large() {
+fn what_is_not_there_or_a_folder_or_too_large() {
     let folder = tempfile::tempdir().unwrap();
     let error = read_file(&folder.path().join("none.obj")).unwrap_err();
     assert_eq!(error.code(), "read-io");
+    let error = read_file(folder.path()).unwrap_err();
+    assert_eq!(error.code(), "read-io");
+    assert_eq!(error.to_string(), format!("{} is a folder, not a file", folder.path().display()));
+    assert_eq!(error.remedies(), [ErrorRemedy::ChooseOtherFile]);
     let path = folder.path().join("large.obj");
     std::fs::File::create(&path).unwrap().set_len((64 << 20) + 1).unwrap();
     assert_eq!(read_file(&path).unwrap_err().code(), "read-too-large");
