@@ -170,7 +170,14 @@ test: XTASK := target/debug/xtask
 # What `cargo clippy` sets for itself; it would check all that others wrote once more, without using what is built.
 test: export RUSTC_WORKSPACE_WRAPPER := clippy-driver
 test: export CLIPPY_ARGS := -Dwarnings__CLIPPY_HACKERY__
-test: check-tools firmware-tools window-tools browser-tools fmt-check ui-test built unit doc-test tidy generate-check deny e2e ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
+test: check-tools firmware-tools window-tools browser-tools fmt-check ui-test built unit beside e2e-run ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
+
+# The examples of the documentation keep one core busy: what else needs no more comes beside them; what they said comes at the end.
+.PHONY: beside
+beside: built
+	@mkdir -p target; $(MAKE) --no-print-directory doc-test > target/doc-test.log 2>&1 & examples=$$!; \
+	$(MAKE) --no-print-directory XTASK=$(XTASK) tidy generate-check deny e2e-ready; rest=$$?; \
+	wait $$examples; documents=$$?; cat target/doc-test.log; exit $$((rest | documents))
 
 .PHONY: ui-test
 ui-test: ui/dist/index.html ## types, lints and tests of the editor
@@ -182,10 +189,12 @@ tests/e2e/node_modules/.package-lock.json: tests/e2e/package-lock.json
 	@touch $@
 
 # The editor in a real browser, and the package, unpacked, through WebDriver.
-.PHONY: e2e
-e2e: built browser-tools tests/e2e/node_modules/.package-lock.json
+.PHONY: e2e e2e-ready e2e-run
+e2e: e2e-ready e2e-run
+e2e-ready: built browser-tools tests/e2e/node_modules/.package-lock.json
 	@$(MAKE) --no-print-directory packed PROFILE=debug
 	npm --prefix tests/e2e run --silent check
+e2e-run:
 	npm --prefix tests/e2e run --silent browser
 	npm --prefix tests/e2e run --silent installed
 
