@@ -176,7 +176,7 @@ test: check-tools firmware-tools window-tools browser-tools fmt-check ui-test bu
 .PHONY: beside
 beside: built
 	@mkdir -p target; $(MAKE) --no-print-directory doc-test > target/doc-test.log 2>&1 & examples=$$!; \
-	$(MAKE) --no-print-directory XTASK=$(XTASK) tidy generate-check deny e2e-ready; rest=$$?; \
+	$(MAKE) --no-print-directory XTASK='$(XTASK)' tidy generate-check deny e2e-ready; rest=$$?; \
 	wait $$examples; documents=$$?; cat target/doc-test.log; exit $$((rest | documents))
 
 .PHONY: ui-test

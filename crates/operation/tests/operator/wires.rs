@@ -11,7 +11,7 @@ use crate::shop::{Seat, Shop, abandon};
 
 const DRY: Order = Order::DryRun { wire: 0, accept_settings: false, despite_errors: false };
 
-/// So often a wire is stopped, or a window closed, until that is not where nothing is in doubt and nobody is asked.
+/// So often a wire is stopped, or a window closed, until a step is in doubt then.
 const TRIES: usize = 20;
 
 /// What was fed and bent by hand sticks out of the nozzle, and the first bends of the wire would lie beyond it.
@@ -170,7 +170,8 @@ fn stopped_in_its_first_feed() -> (Shop, Seat, Input) {
         assert!(seat.operator.stop());
         let in_doubt = seat.until_run().wires[0].in_doubt;
         seat.until_phase(Phase::Stopped);
-        if let Some([1, _]) = in_doubt {
+        if let Some([first, _]) = in_doubt {
+            assert_eq!(first, 1);
             return (shop, seat, job);
         }
     }
