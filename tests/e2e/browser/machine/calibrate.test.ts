@@ -95,7 +95,7 @@ it("says what the readings tell, how well, and what they do not tell", async () 
 it("applies it to the design, shows what changes, and takes it back", async () => {
   await next().click();
   await dialog().getByRole("button", { name: "Apply", exact: true }).click();
-  await dialog().getByText("The design has my-wirebend-kit with my-aluminium-6061-t6-3mm").waitFor();
+  await dialog().getByText("The design was given my-wirebend-kit with my-aluminium-6061-t6-3mm").waitFor();
   await until(async () => (await editor.design()).state.machine).toBe("my-wirebend-kit");
   const row = dialog().getByRole("row", { name: /^Bends/ });
   await row.waitFor();
@@ -107,7 +107,7 @@ it("applies it to the design, shows what changes, and takes it back", async () =
   await editor.isClean("calibrate-apply-large");
   await editor.page.setViewportSize({ width: 1280, height: 800 });
   await dialog().getByRole("button", { name: "Take back" }).click();
-  await dialog().getByText("The design has wirebend-kit again").waitFor();
+  await dialog().getByText("The design was given wirebend-kit again").waitFor();
   expect((await editor.design()).state.machine).toBe("wirebend-kit");
   // Applied once more it replaces what it has made, only when that is allowed.
   const apply = dialog().getByRole("button", { name: "Apply", exact: true });

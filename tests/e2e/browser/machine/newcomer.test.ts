@@ -145,7 +145,7 @@ it("fits and applies it, and bends a better U-sample", async () => {
   }
   await calibration().getByRole("button", { name: "Apply", exact: true }).click();
   await calibration()
-    .getByText(/^The design has my-bender-2 with/)
+    .getByText(/^The design was given my-bender-2 with/)
     .waitFor();
   await calibration().getByRole("button", { name: "Done" }).click();
   // What was chosen in Run is forgotten when the design gets another machine.

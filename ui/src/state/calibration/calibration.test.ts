@@ -11,6 +11,7 @@ vi.mock("../design/design", async (original) => ({
 }));
 
 import { useDesign } from "../design/design";
+import { useMachines } from "../machine/machines";
 import { designState } from "../testing";
 import {
   applyCalibration,
@@ -69,6 +70,27 @@ it("gives the design its machine and wire of before, and a profile that was repl
   // The wire was new: there is nothing of before.
   expect(asked("revert-profile")).toEqual([{ kind: "machine", id: "my-kit", keys: [] }]);
   expect(useCalibration.getState().reverted).toBe(true);
+});
+
+it("keeps no comparison of applied profiles by other readings", async () => {
+  await applyCalibration("my-kit", "my-wire", false);
+  expect(useCalibration.getState().applied?.compared).not.toBeNull();
+  const [row] = useCalibration.getState().sheet?.rows ?? [];
+  if (row) await enterReading(row, 1, 38);
+  expect(useCalibration.getState().applied).toMatchObject({ result: { machine: "my-kit" }, compared: null });
+});
+
+it("has the machine's values asked anew where only those of the wire cannot be as before", async () => {
+  await applyCalibration("my-kit", "my-wire", true);
+  views = { machine: true, material: true };
+  const { changes } = useMachines.getState();
+  const answer = ask.getMockImplementation();
+  ask.mockImplementation(async (name: string, request: { kind?: string }) => {
+    if (name === "revert-profile" && request.kind === "material") throw new Error("the disk is full");
+    return answer?.(name, request);
+  });
+  expect(await revertCalibration()).toBe(false);
+  expect(useMachines.getState().changes).toBe(changes + 1);
 });
 
 it("opens the last sheet again, and says nothing where it is gone", async () => {

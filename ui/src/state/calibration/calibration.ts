@@ -105,8 +105,13 @@ export function showStep(step: CalibrationStep): void {
 }
 
 async function read(sheet: string): Promise<void> {
+  const { applied } = useCalibration.getState();
   // Other readings hold other versions to be better.
-  useCalibration.setState({ sheet: await platform.ask("calibrate-sheet", { sheet }), versions: null });
+  useCalibration.setState({
+    sheet: await platform.ask("calibrate-sheet", { sheet }),
+    versions: null,
+    applied: applied && { ...applied, compared: null },
+  });
   await fitAnew();
 }
 
@@ -258,17 +263,20 @@ export function revertCalibration(): Promise<boolean> {
     if (!applied) return;
     const { result, before, replaced } = applied;
     await edit({ edit: "machine", machine: before.machine, material: before.material });
-    if (replaced) {
+    try {
       // The machine first: it names the wire. One of both may be new.
       for (const [kind, id] of [
         ["machine", result.machine],
         ["material", result.material],
       ] as const) {
+        if (!replaced) break;
         const { has_last_change } = await platform.ask("profile-view", { kind, id });
         if (has_last_change) await platform.ask("revert-profile", { kind, id, keys: [] });
       }
+    } finally {
+      // The machine may be as before where the wire cannot be.
+      profilesChanged(null);
     }
-    profilesChanged(null);
     useCalibration.setState({ reverted: true, versions: null });
   });
 }

@@ -68,7 +68,7 @@ export function Apply() {
             {reverted ? (
               <Line
                 tone="info"
-                what={`The design has ${applied.before.machine} again`}
+                what={`The design was given ${applied.before.machine} again`}
                 sub={
                   applied.replaced
                     ? "The profiles that were replaced are as before."
@@ -78,7 +78,7 @@ export function Apply() {
             ) : (
               <Line
                 tone="fine"
-                what={`The design has ${applied.result.machine} with ${applied.result.material}`}
+                what={`The design was given ${applied.result.machine} with ${applied.result.material}`}
                 sub={applied.result.files.join(", ")}
               />
             )}
