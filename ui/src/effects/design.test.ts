@@ -3,16 +3,26 @@ import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
 vi.mock("../platform", () => ({
   platform: { ask: vi.fn(), stop: vi.fn(), listen: vi.fn() },
-  Refused: class Refused extends Error {},
+  Refused: class Refused extends Error {
+    refusal = { code: "not-feasible" };
+  },
 }));
 
-import type { Fix, LiveCheck } from "../generated/responses";
-import { useDesign } from "../state/design/design";
+import type { Fix, LiveCheck, RunFileReport } from "../generated/responses";
+import { platform, Refused } from "../platform";
+import { ofDesign, useDesign } from "../state/design/design";
 import { showFix, useFixes } from "../state/design/fixes/fixes";
 import { select, useSelection } from "../state/design/selection";
 import { useFiles } from "../state/files/files";
+import { useFrame } from "../state/frame/frame";
+import { useShape } from "../state/frame/shape";
+import { useMachines } from "../state/machine/machines";
 import type { WireRun } from "../state/machine/operator";
+import { setWanted, useRow } from "../state/machine/row";
 import { useRun } from "../state/machine/run";
+import { usePrediction } from "../state/prediction/prediction";
+import { useRunFile } from "../state/program/run_file";
+import { useSequence } from "../state/sequence/sequence";
 import { designState } from "../state/testing";
 import { setConstructionShown, shownLines, useView } from "../state/window/view";
 import { followDesign } from "./design";
@@ -38,6 +48,43 @@ it("the preview of a fix goes away with the first checks of a drag", () => {
   useDesign.setState({ limits: { ...check } });
   expect(useFixes.getState().shown).toBeNull();
   expect(useView.getState().preview).toBeNull();
+});
+
+it("keeps nothing that was said, shown or wanted with the profiles before", async () => {
+  vi.mocked(platform.ask).mockResolvedValue({ errors: ["new"] } as never);
+  useDesign.setState({ refused: useDesign.getState().version });
+  setWanted({ version: 1, file: null });
+  useFrame.setState({ choices: { errors: ["old"] } as never, problem: "no modulus", toleranceProblem: "no force" });
+  usePrediction.setState({ problem: "no errors" });
+  useSequence.setState({ problem: "no head", shown: true });
+  useShape.setState({ view: { kind: "loaded" } });
+  useMachines.setState(({ changes }) => ({ changes: changes + 1 }));
+  expect(useDesign.getState().refused).toBeNull();
+  expect(useRow.getState().wanted).toBeNull();
+  expect(useFrame.getState()).toMatchObject({ problem: null, toleranceProblem: null });
+  expect(usePrediction.getState().problem).toBeNull();
+  expect(useSequence.getState()).toMatchObject({ problem: null, shown: false });
+  expect(useShape.getState().view).toBeNull();
+  await vi.waitFor(() => expect(useFrame.getState().choices?.errors).toEqual(["new"]));
+});
+
+it.each(["program", "job"] as const)("reads a file to be run with the profiles as they are, but no job: %s", (kind) => {
+  vi.mocked(platform.ask)
+    .mockReset()
+    .mockResolvedValue(null as never);
+  useRunFile.setState({ file: { path: "/a.txt", kind } as RunFileReport });
+  useMachines.setState(({ changes }) => ({ changes: changes + 1 }));
+  const asked = vi.mocked(platform.ask).mock.calls.filter(([name]) => name === "open-run-file");
+  expect(asked.map(([, request]) => request)).toEqual(kind === "job" ? [] : [{ file: { file: "/a.txt" } }]);
+});
+
+it("keeps no refusal that comes after a profile was changed", async () => {
+  let refuse = (_: Error) => {};
+  const asked = ofDesign(new Promise((_, reject) => (refuse = reject)));
+  useMachines.setState(({ changes }) => ({ changes: changes + 1 }));
+  refuse(new Refused({ code: "not-feasible" } as never));
+  await expect(asked).rejects.toThrow();
+  expect(useDesign.getState().refused).toBeNull();
 });
 
 it("says what became of the last wire beside no other design", () => {

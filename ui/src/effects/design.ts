@@ -1,20 +1,21 @@
 import { linesOf, renumberWaiting } from "../state/construction/lines";
 import { lookForCollisions } from "../state/design/collisions";
-import { useDesign } from "../state/design/design";
+import { choicesOf, forgetRefusal, useDesign } from "../state/design/design";
 import { hideFix, previewGone } from "../state/design/fixes/fixes";
 import { deselectLines, keepSelected, keepSelectedLines } from "../state/design/selection";
 import { forgetExports, setDespiteErrors } from "../state/files/exports";
 import { useFiles } from "../state/files/files";
-import { forgetFrame, keepSupports } from "../state/frame/frame";
+import { forgetFrame, forgetFrameProblems, keepSupports, reloadFrameChoices } from "../state/frame/frame";
 import { showFrame } from "../state/frame/shape";
 import { hideByHand } from "../state/machine/by_hand";
 import { stopComparing, useMachines } from "../state/machine/machines";
+import { setWanted } from "../state/machine/row";
 import { forgetEnded, showWire } from "../state/machine/run";
 import { shownDesign } from "../state/parts/parts";
-import { forgetPrediction } from "../state/prediction/prediction";
+import { forgetPrediction, forgetPredictionProblem } from "../state/prediction/prediction";
 import { forgetProgram, goTo, leaveStaleProgram } from "../state/program/program";
-import { forgetRunFile, useRunFile } from "../state/program/run_file";
-import { forgetSequence, hideSequence } from "../state/sequence/sequence";
+import { forgetRunFile, rereadRunFile, useRunFile } from "../state/program/run_file";
+import { forgetSequence, forgetSequenceProblem, hideSequence } from "../state/sequence/sequence";
 import { designReplaced } from "../state/window/commands";
 import { keepChosenStencil, setConstructionShown, useView } from "../state/window/view";
 import { type End, together, whenChanged } from "./changes";
@@ -59,8 +60,12 @@ function followChanges(): End {
   return together([
     whenChanged(
       useDesign,
-      ({ vertices, edges, state }) => [vertices, edges, state?.machine, state?.material],
-      stopComparing,
+      ({ vertices, edges, state }) => [vertices, edges, choicesOf(state)],
+      () => {
+        stopComparing();
+        showFrame(null);
+        hideSequence();
+      },
     ),
     useDesign.subscribe(leaveStaleProgram),
     whenChanged(
@@ -99,19 +104,47 @@ function followChanges(): End {
     whenChanged(
       useDesign,
       ({ version }) => [version],
-      () => setDespiteErrors(false),
+      () => {
+        setDespiteErrors(false);
+        forgetProblems();
+      },
     ),
-    whenChanged(useDesign, ({ vertices, edges }) => [vertices, edges], hideByHand),
     whenChanged(
       useDesign,
       ({ vertices, edges }) => [vertices, edges],
       () => {
-        showFrame(null);
-        hideSequence();
+        hideByHand();
         keepSupports();
       },
     ),
   ]);
+}
+
+/** Profiles have changed: what was said, shown or wanted with those before is of the past. */
+function followProfiles(): End {
+  return whenChanged(
+    useMachines,
+    ({ changes }) => [changes],
+    () => {
+      // Formats and settings are those of a profile.
+      forgetExports();
+      forgetRefusal();
+      setWanted(null);
+      stopComparing();
+      showFrame(null);
+      hideSequence();
+      forgetProblems();
+      void reloadFrameChoices();
+      void rereadRunFile();
+    },
+  );
+}
+
+/** What was in the way of an answer may be so no more. */
+function forgetProblems(): void {
+  forgetFrameProblems();
+  forgetPredictionProblem();
+  forgetSequenceProblem();
 }
 
 /** What goes with the open design. */
@@ -120,6 +153,7 @@ export function followDesign(): End {
     followOpening(),
     followRunFile(),
     followChanges(),
+    followProfiles(),
     whenChanged(
       useView,
       ({ preview }) => [preview],
@@ -127,7 +161,5 @@ export function followDesign(): End {
         if (!preview) previewGone();
       },
     ),
-    // Formats and settings are those of a profile.
-    whenChanged(useMachines, ({ changes }) => [changes], forgetExports),
   ]);
 }

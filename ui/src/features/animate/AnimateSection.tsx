@@ -42,7 +42,7 @@ export function AnimateSection() {
 
   function header(): string {
     if (asking) return "generating…";
-    if (some && stale) return "design changed";
+    if (some && stale) return "changed since";
     if (program) return phrase(program.wires, program.without);
     if (problem) return "no program";
     const wires = check?.wires ?? [];

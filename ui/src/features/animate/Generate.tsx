@@ -36,7 +36,7 @@ export function Generate() {
       {(!made || stale) && (
         <div className="row">
           <span className="grow muted">
-            {made ? "The design has changed since." : "Generates the machine's steps from the design."}
+            {made ? "The design or its machine was changed since." : "Generates the machine's steps from the design."}
           </span>
           <Button
             kind="primary"

@@ -35,7 +35,7 @@ function PauseForm({ number, step }: { readonly number: number | null; readonly 
   const text = typed.of === note ? typed.text : note;
   const stale = useStale();
   const nowhere = step === null ? "Select a step first." : place ? null : "Nothing is bent after the last step.";
-  const why = nowhere ?? (stale ? "The design has changed: update the program first." : null);
+  const why = nowhere ?? (stale ? "The design or its machine was changed: update the program first." : null);
   const label = number === null ? "Pause after a step" : `Pause after step ${number}`;
   const unsaid = text.trim() === "" ? "Type what is to be done there." : text.trim() === note ? "It is set." : null;
   const set = (said: string | null) => place && void edit({ edit: "pause", ...place, note: said });

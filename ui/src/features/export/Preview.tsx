@@ -15,29 +15,13 @@ const REST_MS = 350;
 export function Preview({ format }: { readonly format: FormatEntry }) {
   const { preview: shown, previewing, settings, despiteErrors } = useExports();
   const design = useDesign();
-  const { vertices, edges, state } = design;
+  const { version, state } = design;
   const unit = useUnit();
   // biome-ignore lint/correctness/useExhaustiveDependencies: what is written depends on all of these
   useEffect(() => {
     const timer = window.setTimeout(() => void preview(), REST_MS);
     return () => window.clearTimeout(timer);
-  }, [
-    format,
-    settings,
-    despiteErrors,
-    vertices,
-    edges,
-    state?.machine,
-    state?.material,
-    state?.doublings,
-    state?.start,
-    state?.wires,
-    state?.closed,
-    state?.reversed,
-    state?.walks,
-    state?.collisions,
-    unit,
-  ]);
+  }, [format, settings, despiteErrors, version, state?.name, unit]);
   const mine = shown?.format === format.id ? shown : null;
   const infeasible = format.program && (mine?.refused?.errors || mine?.seen?.feasible === false || isRefused(design));
   return (

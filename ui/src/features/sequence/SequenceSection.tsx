@@ -170,7 +170,7 @@ function Setup() {
               : cancelled
                 ? "Cancelled."
                 : stale
-                  ? "The design has changed since."
+                  ? "Something was changed since."
                   : supports
                     ? ""
                     : "Mark the vertices on the ground as supports, under Edit."}

@@ -104,7 +104,7 @@ function ProgramTimeline() {
           <Button
             small
             why={asking ? "The program is being generated." : null}
-            title="The design has changed since the program was made"
+            title="The design or its machine was changed since the program was made"
             onClick={() => void makeProgram()}
           >
             Update

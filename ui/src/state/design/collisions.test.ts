@@ -93,6 +93,17 @@ describe("the check for collisions", () => {
     expect([stands(), codes()]).toEqual(["done", ["meets_machine"]]);
   });
 
+  it("shows nothing of a profile before where that is quick, either", async () => {
+    check();
+    await answer();
+    check();
+    expect(codes()).toEqual(["meets_machine"]);
+    await answer();
+    useMachines.setState(({ changes }) => ({ changes: changes + 1 }));
+    check();
+    expect([stands(), codes()]).toEqual(["running", []]);
+  });
+
   it("waits for the end of the drag where the last one took long, and shows nothing of before", async () => {
     check();
     await vi.advanceTimersByTimeAsync(400);

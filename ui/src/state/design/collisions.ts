@@ -72,9 +72,11 @@ export function lookForCollisions(): void {
     putOff(no ? "none" : "waiting");
     return;
   }
+  const profiles = useMachines.getState().changes;
   // What was found in another design or with another profile says nothing of this one.
-  if (!isQuick && collisions && !isCurrent(collisions)) showCollisions(null);
-  wanted = { version, profiles: useMachines.getState().changes, dragged };
+  const stays = !collisions || isCurrent(collisions) || (isQuick && collisions.profiles === profiles);
+  if (!stays) showCollisions(null);
+  wanted = { version, profiles, dragged };
   if (since === null) void lookForWanted();
   else if (performance.now() - since > QUICK) void stop();
 }

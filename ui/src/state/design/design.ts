@@ -64,13 +64,30 @@ export const useDesign = create<DesignStore>()(() => ({
 export const isRefused = ({ check, version, refused }: DesignStore): boolean =>
   check?.feasible === false || refused === version;
 
+/** What decides how the wires of a design run and are bent, beside its edges: the same text where it is the same. */
+export function choicesOf(state: DesignState | null): string {
+  const { machine, material, doublings, start, wires, closed, reversed, walks, collisions } = state ?? {};
+  return JSON.stringify([machine, material, doublings, start, wires, closed, reversed, walks, collisions]);
+}
+
+/** How often refusals were forgotten. */
+let forgotten = 0;
+
+/** What was refused with another profile need not be with this one. */
+export function forgetRefusal(): void {
+  forgotten += 1;
+  useDesign.setState({ refused: null });
+}
+
 /** Waits for what is asked of the open design, and keeps it where the design is refused: checks that were stopped do not know. */
 export async function ofDesign<T>(asked: Promise<T>): Promise<T> {
   const { version } = useDesign.getState();
+  const before = forgotten;
   try {
     return await asked;
   } catch (error) {
-    if (error instanceof Refused && error.refusal.code === "not-feasible") useDesign.setState({ refused: version });
+    const isRefusal = error instanceof Refused && error.refusal.code === "not-feasible";
+    if (isRefusal && before === forgotten) useDesign.setState({ refused: version });
     throw error;
   }
 }

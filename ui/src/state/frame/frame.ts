@@ -133,6 +133,19 @@ export function needFrameChoices(): void {
     .finally(() => (needed = null));
 }
 
+/** With other profiles there may be others. */
+export async function reloadFrameChoices(): Promise<void> {
+  if (!useFrame.getState().choices) return;
+  const choices = await told(platform.ask("frame-choices", {}));
+  if (choices) useFrame.setState({ choices });
+}
+
+/** Forgets why there was no answer. */
+export function forgetFrameProblems(): void {
+  const { problem, toleranceProblem } = useFrame.getState();
+  if (problem || toleranceProblem) useFrame.setState({ problem: null, toleranceProblem: null });
+}
+
 /** While it is on, clicks on vertices choose supports. */
 export function setPicking(picking: boolean): void {
   useFrame.setState(picking ? { picking, hold: "chosen" } : { picking });

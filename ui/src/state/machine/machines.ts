@@ -103,6 +103,9 @@ export function profilesChanged(view: MachineViewResponse | null): void {
 /** Whether there is anything that another machine could make otherwise. */
 const isDesigned = (): boolean => useDesign.getState().edges.size > 0;
 
+/** Of several comparisons only the last one's answer counts. */
+let comparisons = 0;
+
 /**
  * Looks at another machine: what becomes feasible with the design, and what does not any more. An empty design has nothing to
  * compare and takes the machine at once.
@@ -115,6 +118,8 @@ export async function compareWith(machine: string, asked: ComparedIn): Promise<v
     return;
   }
   let compared: Compared = { machine, asked, from: null, to: null, problem: null };
+  comparisons += 1;
+  const comparison = comparisons;
   useMachines.setState({ compared });
   try {
     const { from, to } = await asking("compare", { against: [machine] });
@@ -122,11 +127,11 @@ export async function compareWith(machine: string, asked: ComparedIn): Promise<v
   } catch (error) {
     compared = { ...compared, problem: error instanceof Error ? error.message : String(error) };
   }
-  const now = useMachines.getState().compared;
-  if (now?.machine === machine && now.asked === asked) useMachines.setState({ compared });
+  if (comparison === comparisons) useMachines.setState({ compared });
 }
 
 export function stopComparing(): void {
+  comparisons += 1;
   if (useMachines.getState().compared) useMachines.setState({ compared: null });
 }
 

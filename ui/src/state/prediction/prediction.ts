@@ -113,6 +113,11 @@ export async function stopPrediction(): Promise<void> {
   await platform.ask("stop-prediction", {}).catch(() => {});
 }
 
+/** Forgets why there was no answer. */
+export function forgetPredictionProblem(): void {
+  if (usePrediction.getState().problem) usePrediction.setState({ problem: null });
+}
+
 /** Forgets what was of a design that was closed. */
 export function forgetPrediction(): void {
   if (usePrediction.getState().asking) void stopPrediction();

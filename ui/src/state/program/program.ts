@@ -3,7 +3,7 @@ import type { MachineViewResponse, MadeResponse, ProgramResponse, RunFileReport 
 import type { Played, Shown } from "../../scene/interface";
 import { told } from "../asking/problems";
 import { asking } from "../asking/work";
-import { type DesignStore, useDesign } from "../design/design";
+import { choicesOf, type DesignStore, useDesign } from "../design/design";
 import { useMachines, viewOf } from "../machine/machines";
 import type { Doubt, WireState } from "../machine/operator";
 import { playedWire } from "./played";
@@ -90,9 +90,8 @@ export function useOtherWire(): string | null {
 
 function basisNow(): Basis {
   const { vertices, edges, state } = useDesign.getState();
-  const { machine, material, doublings, start, wires, closed, reversed, walks, collisions, pauses } = state ?? {};
-  const choices = JSON.stringify([machine, material, doublings, start, wires, closed, reversed, walks, collisions]);
-  const pausing = JSON.stringify(pauses ?? []);
+  const choices = choicesOf(state);
+  const pausing = JSON.stringify(state?.pauses ?? []);
   const { file } = useRunFile.getState();
   return { vertices, edges, choices, pauses: pausing, profiles: useMachines.getState().changes, file };
 }

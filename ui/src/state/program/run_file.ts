@@ -24,6 +24,12 @@ export async function openRunFile(path: string): Promise<boolean> {
   return took(await told(asking("open-run-file", { file: { file: path } })));
 }
 
+/** Has it read and checked with the profiles as they are; a job has its own in it. */
+export async function rereadRunFile(): Promise<void> {
+  const { file } = useRunFile.getState();
+  if (file?.path && file.kind !== "job") await openRunFile(file.path);
+}
+
 /** The design is shown and run again. */
 export async function closeRunFile(): Promise<void> {
   took(await told(platform.ask("close-run-file", {})));

@@ -159,6 +159,11 @@ export function hideSequence(): void {
   if (useSequence.getState().shown) useSequence.setState({ shown: false, playing: false });
 }
 
+/** Forgets why there was no answer. */
+export function forgetSequenceProblem(): void {
+  if (useSequence.getState().problem) useSequence.setState({ problem: null });
+}
+
 /** The step that is under way, from 0, or was built last. */
 export const stepAt = (at: number, steps: number): number => Math.min(Math.max(Math.ceil(at) - 1, 0), steps - 1);
 
