@@ -68,15 +68,18 @@ it("keeps nothing that was said, shown or wanted with the profiles before", asyn
   await vi.waitFor(() => expect(useFrame.getState().choices?.errors).toEqual(["new"]));
 });
 
-it.each(["program", "job"] as const)("reads a file to be run with the profiles as they are, but no job: %s", (kind) => {
-  vi.mocked(platform.ask)
-    .mockReset()
-    .mockResolvedValue(null as never);
-  useRunFile.setState({ file: { path: "/a.txt", kind } as RunFileReport });
-  useMachines.setState(({ changes }) => ({ changes: changes + 1 }));
-  const asked = vi.mocked(platform.ask).mock.calls.filter(([name]) => name === "open-run-file");
-  expect(asked.map(([, request]) => request)).toEqual(kind === "job" ? [] : [{ file: { file: "/a.txt" } }]);
-});
+it.each(["program", "job", "moves"] as const)(
+  "reads a program with the profiles as they are, and nothing else: %s",
+  (kind) => {
+    vi.mocked(platform.ask)
+      .mockReset()
+      .mockResolvedValue(null as never);
+    useRunFile.setState({ file: { path: "/a.txt", kind } as RunFileReport });
+    useMachines.setState(({ changes }) => ({ changes: changes + 1 }));
+    const asked = vi.mocked(platform.ask).mock.calls.filter(([name]) => name === "open-run-file");
+    expect(asked.map(([, request]) => request)).toEqual(kind === "program" ? [{ file: { file: "/a.txt" } }] : []);
+  },
+);
 
 it("keeps no refusal that comes after a profile was changed", async () => {
   let refuse = (_: Error) => {};

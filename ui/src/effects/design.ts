@@ -104,11 +104,9 @@ function followChanges(): End {
     whenChanged(
       useDesign,
       ({ version }) => [version],
-      () => {
-        setDespiteErrors(false);
-        forgetProblems();
-      },
+      () => setDespiteErrors(false),
     ),
+    whenChanged(useDesign, ({ version }) => [version], forgetProblems),
     whenChanged(
       useDesign,
       ({ vertices, edges }) => [vertices, edges],

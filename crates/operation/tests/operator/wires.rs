@@ -11,7 +11,7 @@ use crate::shop::{Seat, Shop, abandon};
 
 const DRY: Order = Order::DryRun { wire: 0, accept_settings: false, despite_errors: false };
 
-/// So often a wire is stopped, or a window closed, until a step is in doubt then.
+/// So many wires are stopped, or windows closed, until one leaves a step in doubt.
 const TRIES: usize = 20;
 
 /// What was fed and bent by hand sticks out of the nozzle, and the first bends of the wire would lie beyond it.
@@ -168,12 +168,15 @@ fn stopped_in_its_first_feed() -> (Shop, Seat, Input) {
             _ => None,
         });
         assert!(seat.operator.stop());
-        let in_doubt = seat.until_run().wires[0].in_doubt;
+        let run = seat.until_run();
         seat.until_phase(Phase::Stopped);
-        if let Some([first, _]) = in_doubt {
+        let wire = &run.wires[0];
+        if let Some([first, _]) = wire.in_doubt {
             assert_eq!(first, 1);
             return (shop, seat, job);
         }
+        // It came after that feed: then the machine is sure, or the step is done.
+        assert!(wire.made > 0 || wire.stopped_in.as_ref().is_some_and(|step| step.sure), "{wire:?}");
     }
     panic!("none of {TRIES} wires was stopped in its first feed");
 }

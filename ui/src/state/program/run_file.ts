@@ -24,10 +24,10 @@ export async function openRunFile(path: string): Promise<boolean> {
   return took(await told(asking("open-run-file", { file: { file: path } })));
 }
 
-/** Has it read and checked with the profiles as they are; a job has its own in it. */
+/** Has a program read and checked with the profiles as they are; a job has its own in it, and moves are not checked. */
 export async function rereadRunFile(): Promise<void> {
   const { file } = useRunFile.getState();
-  if (file?.path && file.kind !== "job") await openRunFile(file.path);
+  if (file?.path && file.kind === "program") await openRunFile(file.path);
 }
 
 /** The design is shown and run again. */
