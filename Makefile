@@ -164,6 +164,11 @@ appimage: package ## an AppImage besides, in target/package (fetches its runtime
 	cd src-tauri && ../ui/node_modules/.bin/tauri bundle --bundles appimage --config '{"bundle": {"linux": {"appimage": {"files": {"/usr/lib/wirebend/drivers": "../target/package/drivers"}}}}}'
 	cp target/release/bundle/appimage/*.AppImage $(PACKAGES)/
 
+# $(call together,name,one,other) does both at a time. What the first says comes at the end, and stays in target/name.log.
+together = mkdir -p target; { $(2); } > target/$(1).log 2>&1 & first=$$!; \
+	{ $(3); }; second=$$?; \
+	wait $$first; first=$$?; cat target/$(1).log; exit $$((first | second))
+
 .PHONY: test
 # It is built with all the rest.
 test: XTASK := target/debug/xtask
@@ -172,12 +177,11 @@ test: export RUSTC_WORKSPACE_WRAPPER := clippy-driver
 test: export CLIPPY_ARGS := -Dwarnings__CLIPPY_HACKERY__
 test: check-tools firmware-tools window-tools browser-tools fmt-check ui-test built unit beside e2e-run ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
 
-# The examples of the documentation keep one core busy: what else needs no more comes beside them; what they said comes at the end.
+# The examples of the documentation keep one core busy: what else needs no more comes beside them.
 .PHONY: beside
 beside: built
-	@mkdir -p target; $(MAKE) --no-print-directory doc-test > target/doc-test.log 2>&1 & examples=$$!; \
-	$(MAKE) --no-print-directory XTASK='$(XTASK)' tidy generate-check deny e2e-ready; rest=$$?; \
-	wait $$examples; documents=$$?; cat target/doc-test.log; exit $$((rest | documents))
+	@$(call together,doc-test,$(MAKE) --no-print-directory doc-test,\
+	$(MAKE) --no-print-directory XTASK='$(XTASK)' tidy generate-check deny e2e-ready)
 
 .PHONY: ui-test
 ui-test: ui/dist/index.html ## types, lints and tests of the editor
@@ -194,9 +198,9 @@ e2e: e2e-ready e2e-run
 e2e-ready: built browser-tools tests/e2e/node_modules/.package-lock.json
 	@$(MAKE) --no-print-directory packed PROFILE=debug
 	npm --prefix tests/e2e run --silent check
+# The package waits most of its time.
 e2e-run:
-	npm --prefix tests/e2e run --silent browser
-	npm --prefix tests/e2e run --silent installed
+	@$(call together,installed,npm --prefix tests/e2e run --silent installed,npm --prefix tests/e2e run --silent browser)
 
 # Packages are made by tags alone: what a mistake in their recipe would cost is seen before.
 .PHONY: release-check
@@ -286,10 +290,8 @@ doc-test: ui/dist/index.html
 # The daily gate: what needs neither a window nor a simulated board nor a browser, nor minutes.
 .PHONY: check
 check: check-tools check-nextest ui/node_modules/.package-lock.json ## before every commit: format, lints, unit tests of Rust and TypeScript
-	@# The editor's part beside that of Rust; what it said comes at the end.
-	@mkdir -p target; $(MAKE) --no-print-directory target/checked-ui > target/check-ui.log 2>&1 & ui=$$!; \
-	cargo fmt --all --check && cargo clippy --quiet --lib --bins -- -D warnings && cargo nextest run --profile daily --lib --bins; rust=$$?; \
-	wait $$ui; editor=$$?; cat target/check-ui.log; exit $$((rust | editor))
+	@$(call together,check-ui,$(MAKE) --no-print-directory target/checked-ui,\
+	cargo fmt --all --check && cargo clippy --quiet --lib --bins -- -D warnings && cargo nextest run --profile daily --lib --bins)
 
 # The editor as it was when it passed: where nothing in it has changed it passes again.
 target/checked-ui: $(UI_SOURCES) $(shell find ui -maxdepth 1 -type f) $(shell find ui/scripts ui/rules ui/tests -type f)
