@@ -241,6 +241,8 @@ requests! {
         OpenExample(workspace::OpenExample) -> workspace::DesignOpened = Workspace::open_example, "open-example";
         /// Opens a job, a program or a recording to be run; the design stays behind it.
         OpenRunFile(workspace::OpenRunFile) -> workspace::RunFileNow = Workspace::open_run_file, "open-run-file";
+        /// Checks what is open to be run with the profiles as they are now.
+        CheckRunFile(workspace::CheckRunFile) -> workspace::RunFileNow = Workspace::check_run_file, "check-run-file";
         /// Closes it: the design is shown and run again.
         CloseRunFile(workspace::CloseRunFile) -> workspace::RunFileNow = Workspace::close_run_file, "close-run-file";
         /// Which file is open to be run.

@@ -69,15 +69,15 @@ it("keeps nothing that was said, shown or wanted with the profiles before", asyn
 });
 
 it.each(["program", "job", "moves"] as const)(
-  "reads a program with the profiles as they are, and nothing else: %s",
+  "checks what is open to be run with the profiles as they are, but for a job, which has its own: %s",
   (kind) => {
     vi.mocked(platform.ask)
       .mockReset()
       .mockResolvedValue(null as never);
     useRunFile.setState({ file: { path: "/a.txt", kind } as RunFileReport });
     useMachines.setState(({ changes }) => ({ changes: changes + 1 }));
-    const asked = vi.mocked(platform.ask).mock.calls.filter(([name]) => name === "open-run-file");
-    expect(asked.map(([, request]) => request)).toEqual(kind === "program" ? [{ file: { file: "/a.txt" } }] : []);
+    const asked = vi.mocked(platform.ask).mock.calls.filter(([name]) => name === "check-run-file");
+    expect(asked.length).toBe(kind === "job" ? 0 : 1);
   },
 );
 

@@ -14,7 +14,7 @@ import { forgetEnded, showWire } from "../state/machine/run";
 import { shownDesign } from "../state/parts/parts";
 import { forgetPrediction, forgetPredictionProblem } from "../state/prediction/prediction";
 import { forgetProgram, goTo, leaveStaleProgram } from "../state/program/program";
-import { forgetRunFile, rereadRunFile, useRunFile } from "../state/program/run_file";
+import { checkRunFile, forgetRunFile, useRunFile } from "../state/program/run_file";
 import { forgetSequence, forgetSequenceProblem, hideSequence } from "../state/sequence/sequence";
 import { designReplaced } from "../state/window/commands";
 import { keepChosenStencil, setConstructionShown, useView } from "../state/window/view";
@@ -133,7 +133,7 @@ function followProfiles(): End {
       hideSequence();
       forgetProblems();
       void reloadFrameChoices();
-      void rereadRunFile();
+      void checkRunFile();
     },
   );
 }

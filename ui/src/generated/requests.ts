@@ -761,6 +761,7 @@ export interface Requests {
   "calibrate-sheet": CalibrationSheetRequest;
   "change-settings": ChangeSettings;
   check: CheckDesign;
+  "check-run-file": CheckRunFile;
   "clear-recent": ClearRecent;
   "clear-recording": ClearRecording;
   close: CloseDesign;
@@ -1033,6 +1034,10 @@ export interface Moved {
   at_mm: [number, number, number];
   vertex: number;
 }
+/**
+ * Checks what is open with the profiles as they are now, as it was read: another file in its place is not looked at.
+ */
+export interface CheckRunFile {}
 /**
  * Empties the list of what was open before.
  */

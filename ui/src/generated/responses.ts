@@ -1466,6 +1466,10 @@ export type Solid =
       };
     };
 /**
+ * What a file to be run is.
+ */
+export type RunFileKind = "job" | "program" | "moves";
+/**
  * How far a wire has to stay from what it could hit while it is bent: zero or more.
  */
 export type Clearance = number;
@@ -1497,10 +1501,6 @@ export type Move =
       deg: number;
       move: "bend";
     };
-/**
- * What a file to be run is.
- */
-export type RunFileKind = "job" | "program" | "moves";
 /**
  * Something that a driver can do.
  */
@@ -2045,6 +2045,7 @@ export interface Responses {
   "calibrate-sheet": CalibrationSheet;
   "change-settings": SettingsChanged;
   check: LiveCheck;
+  "check-run-file": RunFileNow;
   "clear-recent": Started;
   "clear-recording": Recorded;
   close: DesignOpened;
@@ -3622,6 +3623,88 @@ export interface JointSagReport {
    */
   vertex: number;
 }
+export interface RunFileNow {
+  /**
+   * Null where none is open: the design is run.
+   */
+  file: RunFileReport | null;
+}
+/**
+ * What is open to be run.
+ */
+export interface RunFileReport {
+  /**
+   * Whether the machine can make it, as its profile was when a job was planned; a program that collides cannot be made.
+   */
+  feasible: boolean;
+  /**
+   * What the checks say of its wires, errors first.
+   */
+  findings: DiagnosticReport[];
+  /**
+   * Hash of the job that it is run as; another one where the same name holds other contents.
+   */
+  job_hash: string;
+  kind: RunFileKind;
+  /**
+   * Machine and wire that it is for.
+   */
+  machine: string;
+  material: string;
+  /**
+   * How many moves a recording has.
+   */
+  moves: number;
+  /**
+   * Name of the file, without its folder.
+   */
+  name: string;
+  /**
+   * Errors despite which a job was planned; of a program, that the search for collisions did not end.
+   */
+  notes: NoteReport[];
+  /**
+   * Where it is; null for bytes.
+   */
+  path: string | null;
+  wires: RunFileWire[];
+}
+/**
+ * Something that a reader merged, ignored or assumed.
+ */
+export interface NoteReport {
+  /**
+   * What it is about.
+   */
+  code: string;
+  /**
+   * How many there were.
+   */
+  count: number;
+  /**
+   * A sentence.
+   */
+  message: string;
+  /**
+   * What can be done about it.
+   */
+  remedies?: ErrorRemedy[];
+}
+/**
+ * A wire of it.
+ */
+export interface RunFileWire {
+  /**
+   * Wire that is fed, mm.
+   */
+  length_mm: number;
+  steps: number;
+  /**
+   * Stock to load, mm.
+   */
+  stock_mm: number;
+  time_s: number;
+}
 /**
  * What there is when a window opens.
  */
@@ -3913,88 +3996,6 @@ export interface DesignOpened {
    * What was open before.
    */
   recent: RecentEntry[];
-}
-/**
- * Something that a reader merged, ignored or assumed.
- */
-export interface NoteReport {
-  /**
-   * What it is about.
-   */
-  code: string;
-  /**
-   * How many there were.
-   */
-  count: number;
-  /**
-   * A sentence.
-   */
-  message: string;
-  /**
-   * What can be done about it.
-   */
-  remedies?: ErrorRemedy[];
-}
-export interface RunFileNow {
-  /**
-   * Null where none is open: the design is run.
-   */
-  file: RunFileReport | null;
-}
-/**
- * What is open to be run.
- */
-export interface RunFileReport {
-  /**
-   * Whether the machine can make it, as its profile was when a job was planned; a program that collides cannot be made.
-   */
-  feasible: boolean;
-  /**
-   * What the checks say of its wires, errors first.
-   */
-  findings: DiagnosticReport[];
-  /**
-   * Hash of the job that it is run as; another one where the same name holds other contents.
-   */
-  job_hash: string;
-  kind: RunFileKind;
-  /**
-   * Machine and wire that it is for.
-   */
-  machine: string;
-  material: string;
-  /**
-   * How many moves a recording has.
-   */
-  moves: number;
-  /**
-   * Name of the file, without its folder.
-   */
-  name: string;
-  /**
-   * Errors despite which a job was planned; of a program, that the search for collisions did not end.
-   */
-  notes: NoteReport[];
-  /**
-   * Where it is; null for bytes.
-   */
-  path: string | null;
-  wires: RunFileWire[];
-}
-/**
- * A wire of it.
- */
-export interface RunFileWire {
-  /**
-   * Wire that is fed, mm.
-   */
-  length_mm: number;
-  steps: number;
-  /**
-   * Stock to load, mm.
-   */
-  stock_mm: number;
-  time_s: number;
 }
 /**
  * Where the wires of a design meet the machine or themselves while they are bent.

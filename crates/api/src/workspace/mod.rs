@@ -73,7 +73,8 @@ pub use profiles::{
 pub use program::{MadeRequest, MadeResponse, MadeWire, ProgramRequest, ProgramResponse};
 pub use recent::RecentEntry;
 pub use run_file::{
-    CloseRunFile, OpenRunFile, RunFileKind, RunFileNow, RunFileReport, RunFileRequest, RunFileWire,
+    CheckRunFile, CloseRunFile, OpenRunFile, RunFileKind, RunFileNow, RunFileReport, RunFileRequest,
+    RunFileWire,
 };
 pub use sequences::{SequenceDesign, SequenceStopped, StopSequence};
 pub use shown::{LengthsShown, ShowLengths, ShownUnit};

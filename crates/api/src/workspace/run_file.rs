@@ -5,7 +5,7 @@ use std::sync::{Arc, PoisonError};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_files::document::{Job, sha256_hex};
+use wirebend_files::document::Job;
 use wirebend_files::read::Format;
 use wirebend_planning::PlanningError;
 use wirebend_planning::as_given::{GivenWires, ProgramMachine, job_of_file, job_of_moves};
@@ -21,6 +21,10 @@ use crate::{ApiError, Input, MovesFile, Progress};
 pub struct OpenRunFile {
     pub file: Input,
 }
+
+/// Checks what is open with the profiles as they are now, as it was read: another file in its place is not looked at.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct CheckRunFile {}
 
 /// Closes it: the design is shown and run again.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -86,8 +90,8 @@ pub struct RunFileWire {
 /// What is open to be run, with all that is shown of it.
 pub(super) struct RunFile {
     pub report: RunFileReport,
-    /// SHA-256 of its bytes as they were read.
-    sha256: String,
+    /// As it was read.
+    bytes: Vec<u8>,
     job: Job,
     setup: Setup,
     wires: GivenWires,
@@ -117,7 +121,7 @@ impl RunFile {
     pub fn require_unchanged(&self) -> Result<(), ApiError> {
         let now = self.report.path.as_ref().and_then(|path| std::fs::read(path).ok());
         match now {
-            Some(bytes) if sha256_hex(&bytes) != self.sha256 => {
+            Some(bytes) if bytes != self.bytes => {
                 Err(ApiError::FileChanged { name: self.report.name.clone() })
             }
             _ => Ok(()),
@@ -148,32 +152,69 @@ impl Workspace {
     ) -> Result<RunFileNow, ApiError> {
         progress.stage("reading");
         let (name, bytes) = asked.file.load()?;
-        let app = self.installation();
+        let (path, own) = match &asked.file {
+            Input::File(path) => (Some(path.clone()), crate::workspace::name_of(path)),
+            Input::Bytes { name, .. } => (None, name.clone()),
+        };
         let design = self.open().state();
         let of = ProgramMachine { machine: design.machine.as_deref(), material: design.material.as_deref() };
-        let moves = is_recording(&name, &bytes);
+        let file = self.read_run_file(&name, (path.clone(), own), bytes, of, progress)?;
+        if let Some(path) = path {
+            self.remember(&path);
+        }
+        self.put_run_file(Some(file));
+        Ok(self.run_file_now())
+    }
+
+    pub(crate) fn check_run_file(
+        &self,
+        _: &CheckRunFile,
+        progress: &dyn Progress,
+    ) -> Result<RunFileNow, ApiError> {
+        if let Some(open) = self.run_file() {
+            let RunFileReport { name, path, machine, material, .. } = &open.report;
+            let full = path.as_ref().map_or_else(|| name.clone(), |path| path.display().to_string());
+            let of = ProgramMachine { machine: Some(machine), material: Some(material) };
+            let file =
+                self.read_run_file(&full, (path.clone(), name.clone()), open.bytes.clone(), of, progress)?;
+            let mut now = self.run_file.lock().unwrap_or_else(PoisonError::into_inner);
+            // It may have been closed meanwhile.
+            if now.as_ref().is_some_and(|now| Arc::ptr_eq(now, &open)) {
+                *now = Some(Arc::new(file));
+            }
+        }
+        Ok(self.run_file_now())
+    }
+
+    /// What a file holds that is to be run; `of` is the machine that a program is for, which has no other.
+    fn read_run_file(
+        &self,
+        name: &str,
+        (path, own): (Option<PathBuf>, String),
+        bytes: Vec<u8>,
+        of: ProgramMachine,
+        progress: &dyn Progress,
+    ) -> Result<RunFile, ApiError> {
+        let app = self.installation();
+        let moves = is_recording(name, &bytes);
         let (kind, job, moves) = if moves {
-            let count = MovesFile::open(&name, &bytes)?.moves.len();
-            (RunFileKind::Moves, job_of_moves(&app, &name, &bytes, of)?, count)
+            let count = MovesFile::open(name, &bytes)?.moves.len();
+            (RunFileKind::Moves, job_of_moves(&app, name, &bytes, of)?, count)
         } else {
-            let kind = if is_job(&name, &bytes) { RunFileKind::Job } else { RunFileKind::Program };
-            (kind, job_of_file(&app, &name, &bytes, of)?, 0)
+            let kind = if is_job(name, &bytes) { RunFileKind::Job } else { RunFileKind::Program };
+            (kind, job_of_file(&app, name, &bytes, of)?, 0)
         };
-        let setup = restored(&name, job.contents())?;
-        let mut wires = GivenWires::of(&name, &job, &setup)?;
+        let setup = restored(name, job.contents())?;
+        let mut wires = GivenWires::of(name, &job, &setup)?;
         let mut notes = if kind == RunFileKind::Job { accepted_errors(job.contents()) } else { Vec::new() };
         // Nobody has looked at a program before: one that collides is refused like a design that does.
         if kind == RunFileKind::Program {
             progress.stage("checking for collisions");
             notes.extend(wires.find_collisions(&setup));
         }
-        let (path, own) = match &asked.file {
-            Input::File(path) => (Some(path.clone()), crate::workspace::name_of(path)),
-            Input::Bytes { name, .. } => (None, name.clone()),
-        };
         let report = RunFileReport {
             name: own,
-            path: path.clone(),
+            path,
             kind,
             machine: setup.machine_id().to_owned(),
             material: setup.material_id().to_owned(),
@@ -184,11 +225,7 @@ impl Workspace {
             findings: wires.findings().map(DiagnosticReport::from).collect(),
             notes,
         };
-        if let Some(path) = path {
-            self.remember(&path);
-        }
-        self.put_run_file(Some(RunFile { report, sha256: sha256_hex(&bytes), job, setup, wires }));
-        Ok(self.run_file_now())
+        Ok(RunFile { report, bytes, job, setup, wires })
     }
 
     pub(crate) fn close_run_file(&self, _: &CloseRunFile, _: &dyn Progress) -> Result<RunFileNow, ApiError> {

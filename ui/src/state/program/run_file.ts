@@ -24,10 +24,10 @@ export async function openRunFile(path: string): Promise<boolean> {
   return took(await told(asking("open-run-file", { file: { file: path } })));
 }
 
-/** Has a program read and checked with the profiles as they are; a job has its own in it, and moves are not checked. */
-export async function rereadRunFile(): Promise<void> {
+/** Has what is open checked with the profiles as they are; a job has its own in it. */
+export async function checkRunFile(): Promise<void> {
   const { file } = useRunFile.getState();
-  if (file?.path && file.kind === "program") await openRunFile(file.path);
+  if (file && file.kind !== "job") took(await told(asking("check-run-file", {})));
 }
 
 /** The design is shown and run again. */

@@ -310,6 +310,57 @@ fn a_file_that_has_changed_on_the_disk_is_read_again_before_anything_of_it_moves
     window.until_phase("armed");
 }
 
+/// A program would keep findings and times of a machine that is no longer so; a file that others have written meanwhile would take its
+/// place without a word.
+#[test]
+fn what_is_open_to_be_run_is_checked_with_a_changed_profile_as_it_was_read() {
+    let window = Window::new();
+    window.ask(
+        "copy-profile",
+        json!({"kind": "machine", "from": "wirebend-kit", "id": "mine", "name": "Mine"}),
+    );
+    window.ask("new", json!({"machine": "mine"}));
+    assert_eq!(window.ask("check-run-file", json!({}))["file"], json!(null), "none is open");
+    let most = |deg: f64| {
+        let values = [
+            json!({"key": "limits.max_bend_deg", "value": deg}),
+            json!({"key": "limits.min_bend_deg", "value": -deg}),
+        ];
+        window.ask(
+            "set-profile",
+            json!({"kind": "machine", "id": "mine", "values": values, "source": "me", "measured": true}),
+        );
+        window.ask("check-run-file", json!({}))["file"].clone()
+    };
+    let text = window.file("two.txt", b"F 40\nB 60.5\nF 35\n");
+    for file in
+        [json!({"file": text}), json!({"bytes": {"name": "two.txt", "bytes": b"F 40\nB 60.5\nF 35\n"}})]
+    {
+        let opened = window.ask("open-run-file", json!({"file": file}))["file"].clone();
+        // The design behind it has another machine by now.
+        window.ask(
+            "edit",
+            json!({"request": {"edit": "machine", "machine": "wirebend-kit", "material": null}}),
+        );
+        let refused = most(30.0);
+        assert_eq!(
+            [&refused["feasible"], &refused["findings"][0]["severity"]],
+            [&json!(false), &json!("error")]
+        );
+        let allowed = most(90.0);
+        for figure in ["path", "name", "kind", "machine", "wires", "feasible", "findings", "notes"] {
+            assert_eq!(allowed[figure], opened[figure], "{figure}");
+        }
+        window.ask("undo", json!({}));
+    }
+    window.ask("open-run-file", json!({"file": {"file": text}}));
+    std::fs::write(&text, "F 45\nB 60.5\nF 35\n").unwrap();
+    assert_eq!(most(91.0)["wires"][0]["length_mm"], json!(75.0), "what a person has looked at");
+    window.connect();
+    let refusal = window.try_ask("order", json!({"request": {"order": "arm", "wire": 0}})).unwrap_err();
+    assert_eq!(refusal.code, "file-changed");
+}
+
 /// The numbers of another machine's program mean something else.
 #[test]
 fn a_program_of_another_machine_is_not_run() {
