@@ -67,7 +67,8 @@ fn errors(check: &LiveCheck, severity: SeverityName) -> usize {
 /// How often a code is said where a diagnostic is: at its edge where it is about one, else at its vertex.
 fn said_there(check: &LiveCheck, diagnostic: &DiagnosticReport) -> usize {
     let edges = |d: &DiagnosticReport| -> Vec<u32> { d.edge.into_iter().chain(d.edges.clone()).collect() };
-    let of_edges = diagnostic.code.as_str().contains("edge") || diagnostic.code.as_str().contains("feed");
+    let of_edges =
+        ["edge", "feed", "arcs_overlap"].iter().any(|word| diagnostic.code.as_str().contains(word));
     let there = |d: &&DiagnosticReport| {
         d.code == diagnostic.code
             && match diagnostic.code.as_str() {
