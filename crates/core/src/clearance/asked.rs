@@ -59,6 +59,11 @@ impl<'a> Asked<'a> {
         Self { clearance, step, strokes, counting: Vec::new(), shapes: Vec::new() }
     }
 
+    /// The strokes of the step.
+    pub const fn strokes(&self) -> &'a Strokes {
+        self.strokes
+    }
+
     /// The first contact with a body.
     pub fn first(&mut self, one: (Obstacle, &Body)) -> Option<(Stroke, Proximity)> {
         let strokes = self.strokes;

@@ -35,15 +35,34 @@ pub struct Contact {
     pub along: Length,
 }
 
-/// Where a wire first hits one thing, or where it never does, first comes nearer to it than the margin.
+/// How a wire meets something, least first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum MeetsAs {
+    /// It only comes nearer than the margin.
+    Near,
+    /// It is hit.
+    Hit,
+    /// One wire is in the middle of the other: neither can give way.
+    Through,
+}
+
+/// Where a wire first meets one thing as severely as it does anywhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FirstContact {
-    /// The first contact with it.
+    /// The first contact of its kind with it.
     pub contact: Contact,
     /// How deep they are in each other at the worst of that step; below zero where it is not hit: they only come so near.
     pub depth: Length,
-    /// In how many later steps they meet again: are hit, where this is a hit.
+    /// In how many later steps they meet again in this way.
     pub later: usize,
-    /// Whether it is hit.
-    pub hits: bool,
+    /// How they meet.
+    pub kind: MeetsAs,
+}
+
+impl FirstContact {
+    /// Whether it is hit; otherwise they only come near each other.
+    #[must_use]
+    pub fn hits(&self) -> bool {
+        self.kind > MeetsAs::Near
+    }
 }

@@ -1,33 +1,41 @@
 //! The contacts of a program.
 
+use std::cmp::Ordering;
 use std::ops::{ControlFlow, Range};
 
 use wirebend_collide::{Task, closest};
 
 use super::asked::{Asked, Strokes};
 use super::body::Body;
-use super::contact::{Contact, FirstContact, Obstacle};
+use super::contact::{Contact, FirstContact, MeetsAs, Obstacle};
 use super::stroke::Phase;
 use super::wire::Clearance;
 use crate::units::Length;
 
 /// How contacts are looked for, from one step to the next.
 struct Look {
-    /// Whether what is found is hit.
-    hits: bool,
+    kind: MeetsAs,
     margin: Length,
     /// What was met in the step before.
     met: Vec<Obstacle>,
 }
 
-/// Adds a contact to the first ones: of what is hit anywhere the first hit, of all else where it is first near.
+impl Look {
+    const fn new(kind: MeetsAs, margin: Length) -> Self {
+        Self { kind, margin, met: Vec::new() }
+    }
+}
+
+/// Adds a contact to the first ones: of each thing the first of the severest kind is kept.
 fn add(found: &mut Vec<FirstContact>, first: FirstContact) {
-    let known = found.iter_mut().find(|known| known.contact.obstacle == first.contact.obstacle);
-    match known {
-        None => found.push(first),
-        Some(known) if known.hits == first.hits => known.later += 1 + first.later,
-        Some(known) if first.hits => *known = first,
-        Some(_) => {}
+    let Some(known) = found.iter_mut().find(|known| known.contact.obstacle == first.contact.obstacle) else {
+        found.push(first);
+        return;
+    };
+    match first.kind.cmp(&known.kind) {
+        Ordering::Less => {}
+        Ordering::Equal => known.later += 1 + first.later,
+        Ordering::Greater => *known = first,
     }
 }
 
@@ -36,7 +44,7 @@ const DEPTH_EXACT: f64 = 0.02;
 const DEPTH_SHARE: f64 = 0.05;
 
 impl Clearance<'_> {
-    /// The first contact with each thing that the wire meets, in the order of its steps.
+    /// The first contact of the severest kind with each thing that the wire meets, in the order of its steps.
     #[must_use]
     pub fn first_contacts(self) -> Vec<FirstContact> {
         self.first_contacts_while(|_| true).unwrap_or_default()
@@ -57,39 +65,54 @@ impl Clearance<'_> {
         mut goes_on: impl FnMut(usize) -> bool,
     ) -> Option<Vec<FirstContact>> {
         let margin = self.wire.margin;
-        // What is near in one step must not hide what is hit in a later one.
-        let mut looks = vec![Look { hits: true, margin: Length::ZERO, met: Vec::new() }];
+        // What is near in one step must not hide what is hit in a later one, nor a touch what goes through the middle.
+        let middle = Length::computed(-self.wire.diameter.mm() / 2.0);
+        let mut looks = vec![Look::new(MeetsAs::Hit, Length::ZERO), Look::new(MeetsAs::Through, middle)];
         if margin > Length::ZERO {
-            looks.push(Look { hits: false, margin, met: Vec::new() });
+            looks.push(Look::new(MeetsAs::Near, margin));
         }
         if let Some(before) = steps.start.checked_sub(1) {
             // What it meets already is no new contact.
-            for look in &mut looks {
-                self.looked(look, before);
-            }
+            self.look(&mut looks, before, |_, _| {});
         }
         let mut found: Vec<FirstContact> = Vec::new();
         for step in steps {
             if !goes_on(step) {
                 return None;
             }
-            for look in &mut looks {
-                for contact in self.looked(look, step) {
-                    add(&mut found, FirstContact { contact, depth: Length::ZERO, later: 0, hits: look.hits });
-                }
-            }
+            self.look(&mut looks, step, |kind, contact| {
+                add(&mut found, FirstContact { contact, depth: Length::ZERO, later: 0, kind });
+            });
         }
         Some(found)
     }
 
-    /// The contacts of a step, as a look has them.
-    fn looked(&mut self, look: &mut Look, step: usize) -> Vec<Contact> {
-        let margin = std::mem::replace(&mut self.wire.margin, look.margin);
-        std::mem::swap(&mut self.met, &mut look.met);
-        let contacts = self.contacts_of(step);
-        std::mem::swap(&mut self.met, &mut look.met);
+    /// Takes the contacts of a step, look by look; the looks are asked for step by step. What goes through the middle is met where it is
+    /// touched, if that is in the same step.
+    fn look(&mut self, looks: &mut [Look], step: usize, mut take: impl FnMut(MeetsAs, Contact)) {
+        let margin = self.wire.margin;
+        let (mut hits_stock, mut touch) = (false, None);
+        for look in looks {
+            self.wire.margin = look.margin;
+            std::mem::swap(&mut self.met, &mut look.met);
+            let contacts = match look.kind {
+                MeetsAs::Through if !hits_stock => {
+                    self.met.clear();
+                    Vec::new()
+                }
+                MeetsAs::Through => self.contacts_with(step, |obstacle| obstacle == Obstacle::Stock),
+                MeetsAs::Near | MeetsAs::Hit => self.contacts_of(step),
+            };
+            hits_stock |= look.kind == MeetsAs::Hit && self.met.contains(&Obstacle::Stock);
+            std::mem::swap(&mut self.met, &mut look.met);
+            for contact in contacts {
+                if look.kind == MeetsAs::Hit && contact.obstacle == Obstacle::Stock {
+                    touch = Some(contact);
+                }
+                take(look.kind, touch.filter(|_| look.kind == MeetsAs::Through).unwrap_or(contact));
+            }
+        }
         self.wire.margin = margin;
-        contacts
     }
 
     /// The first contacts of the whole wire, from those of its parts in the order of their steps.
@@ -108,16 +131,18 @@ impl Clearance<'_> {
         });
         for first in &mut found {
             let depth = self.depth(&first.contact);
-            // What only just is hit may be measured as not hit. What a wire that hangs may hit for all that is known of its shape is not.
-            let just_hit = first.hits && depth.mm() >= -2.0 * DEPTH_EXACT;
-            first.depth = if just_hit { depth.max(Length::ZERO) } else { depth };
-            first.hits = first.depth >= Length::ZERO;
+            // What only just is hit may be measured as not hit.
+            first.depth = if first.kind == MeetsAs::Near { depth } else { depth.max(Length::ZERO) };
         }
         found
     }
 
     /// What the wire begins to meet in a step; the steps are asked for in order. One contact for each thing that it meets.
     pub fn contacts_of(&mut self, step: usize) -> Vec<Contact> {
+        self.contacts_with(step, |_| true)
+    }
+
+    fn contacts_with(&mut self, step: usize, asks_of: impl Fn(Obstacle) -> bool) -> Vec<Contact> {
         let Some(moves) = self.moves(step) else { return Vec::new() };
         let strokes = Strokes::new(self, &moves);
         let mut asked = Asked::new(self, step, &strokes);
@@ -125,8 +150,12 @@ impl Clearance<'_> {
         let all: Vec<(Obstacle, &Body)> = all.chain([(Obstacle::Stock, &self.stock[step])]).collect();
         let mut met = Vec::new();
         let mut found = Vec::new();
-        for one in all {
+        for one in all.into_iter().filter(|(obstacle, _)| asks_of(*obstacle)) {
             let Some((stroke, meeting)) = asked.first(one) else { continue };
+            // What a wire that hangs may meet for all that is known of its shape is not met.
+            if self.hanging.is_some() && self.least(&mut asked, one) > self.wire.reach() + 2.0 * DEPTH_EXACT {
+                continue;
+            }
             met.push(one.0);
             let goes_on = stroke.phase == Phase::Feed && meeting.time <= 0.0;
             if !(goes_on && self.met.contains(&one.0)) {
@@ -149,15 +178,21 @@ impl Clearance<'_> {
         let Some((body, moves)) = body.zip(self.moves(contact.step)) else { return Length::ZERO };
         let strokes = Strokes::new(self, &moves);
         let mut asked = Asked::new(self, contact.step, &strokes);
+        let least = self.least(&mut asked, (contact.obstacle, body)).min(self.wire.reach());
+        Length::computed(self.wire.diameter.mm() / 2.0 - least)
+    }
+
+    /// How near to a body the centreline comes in a step, mm; infinite where it stays out of reach.
+    fn least(&self, asked: &mut Asked, one: (Obstacle, &Body)) -> f64 {
         let radius = self.wire.diameter.mm() / 2.0;
         let deepest = |task: &Task| closest(task, radius, DEPTH_SHARE);
-        let mut least = self.wire.reach();
-        for strokes in strokes.past(body.moves_with) {
-            asked.answers((contact.obstacle, body), strokes, DEPTH_EXACT, deepest, &mut |(_, near)| {
+        let mut least = f64::INFINITY;
+        for strokes in asked.strokes().past(one.1.moves_with) {
+            asked.answers(one, strokes, DEPTH_EXACT, deepest, &mut |(_, near)| {
                 least = least.min(near.distance);
                 ControlFlow::Continue(())
             });
         }
-        Length::computed(radius - least)
+        least
     }
 }

@@ -30,7 +30,7 @@ mod zone;
 pub use wirebend_collide::Solid;
 
 pub use body::{Bodies, Body, MovesWith};
-pub use contact::{Contact, FirstContact, Obstacle};
+pub use contact::{Contact, FirstContact, MeetsAs, Obstacle};
 pub use joint::{JointSag, max_joint_sag};
 pub use run::StepPart;
 pub use stroke::{Phase, StepRun};

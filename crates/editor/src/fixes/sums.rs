@@ -48,8 +48,9 @@ pub struct FixTotals {
 impl FixTotals {
     pub(super) fn of(Trial { check, wires, .. }: &Trial) -> Self {
         let met = |hits: bool| {
-            let of_wire =
-                |wire: &WirePlan| Some(wire.contacts.as_ref()?.iter().filter(|one| one.hits == hits).count());
+            let of_wire = |wire: &WirePlan| {
+                Some(wire.contacts.as_ref()?.iter().filter(|one| one.hits() == hits).count())
+            };
             wires.iter().map(of_wire).sum()
         };
         Self {

@@ -96,7 +96,7 @@ impl<'a> CollisionSearch<'a> {
         let findings = self.planned.check(machine, contacts.clone());
         let run = self.wires;
         self.wires += 1;
-        self.colliding += u32::from(contacts.iter().any(|contact| contact.hits));
+        self.colliding += u32::from(contacts.iter().any(FirstContact::hits));
         for (contact, finding) in contacts.into_iter().zip(findings) {
             let known = self.found.entry(contact.contact.obstacle).or_insert_with(|| Found {
                 wires: 0,

@@ -7,6 +7,7 @@ use crate::clearance::{Bodies, Body, MovesWith};
 use crate::plan::PlanOptions;
 use crate::testing::{chain, mm, published_machine};
 use crate::units::Length;
+use crate::wireframe::VertexId;
 
 /// A wall so far from the bend point.
 fn wall(x: f64) -> Body {
@@ -83,5 +84,28 @@ fn what_is_near_at_first_does_not_hide_what_is_hit_later() {
     for margin in [2.0, 8.0, 60.0] {
         let with = hit_with(margin);
         assert_eq!((with.len(), with[0].0), (1, without[0].0), "{margin} mm: {with:?}");
+    }
+}
+
+/// A wire that touches what is still to be bent, and has it go through its middle later: with the same feed that touches it, or in a step
+/// of its own. Lifted by a few millimetres, so that it does not touch, it is the same wire.
+#[test]
+fn what_is_touched_at_first_does_not_hide_what_goes_through_the_middle_later() {
+    let both =
+        [[80., 120., 40.], [0., 120., -40.], [0., 60., 0.], [0., 0., 0.], [40., 0., 0.], [40., 60., 0.]];
+    let same_feed = |z: f64| [&[[100., -30., z], [100., 40., z]][..], &both].concat();
+    let later = |z: f64| [&[[100., -70., z], [100., -15., z], [120., 60., 60.]][..], &both].concat();
+    let found = |corners: &[[f64; 3]]| {
+        let options = PlanOptions { contacts: true, start: Some(VertexId(0)), ..PlanOptions::default() };
+        let mut found = on(&published_machine(), &chain(corners), &options);
+        found.retain(|diagnostic| diagnostic.code() == Code::MeetsStock);
+        let [one] = &found[..] else { panic!("{found:?}") };
+        let Fact::MeetsStock(meeting) = &one.fact else { unreachable!("by its code") };
+        (one.severity, one.location.step, meeting.depth.mm())
+    };
+    for (touches, lifted) in [(same_feed(2.2), same_feed(4.5)), (later(2.2), later(6.0))] {
+        let (with, without) = (found(&touches), found(&lifted));
+        assert_eq!((with.0, with.1), (Severity::Error, without.1), "{with:?} {without:?}");
+        assert!((with.2 - without.2).abs() < 0.1 && with.2 > 2.5, "{with:?} {without:?}");
     }
 }
