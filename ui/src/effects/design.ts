@@ -65,6 +65,8 @@ function followChanges(): End {
         stopComparing();
         showFrame(null);
         hideSequence();
+        // A machine that is armed or holds reports nothing by itself.
+        showWire();
       },
     ),
     useDesign.subscribe(leaveStaleProgram),
@@ -72,7 +74,6 @@ function followChanges(): End {
       useDesign,
       ({ state }) => [state !== null],
       ({ state }) => {
-        // A machine that holds reports nothing by itself.
         if (state) showWire();
       },
     ),
@@ -132,6 +133,7 @@ function followProfiles(): End {
       showFrame(null);
       hideSequence();
       forgetProblems();
+      showWire();
       void reloadFrameChoices();
       void checkRunFile();
     },

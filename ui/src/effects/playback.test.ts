@@ -10,6 +10,7 @@ import {
   endLive,
   forgetProgram,
   goTo,
+  lookAtArmed,
   makeProgram,
   show,
   showLive,
@@ -46,6 +47,33 @@ const making = (steps: number, in_step = 0) => ({ job_hash: "a1", name: "U", wir
 const asked = (name: string): number => platform.ask.mock.calls.filter(([ask]) => ask === name).length;
 
 describe("playback", () => {
+  it("says of a wire that is armed whether it is of the design as it is, and shows nothing of it", async () => {
+    const armed = { job_hash: "a1", name: "U" };
+    await lookAtArmed(armed);
+    expect(usePlayback.getState()).toMatchObject({ otherWire: null, played: null, live: false });
+    platform.ask.mockImplementation(async (ask: string) =>
+      ask === "program" ? { ...program, job_hash: "b2" } : ask === "machine-view" ? view : null,
+    );
+    useDesign.setState({ vertices: new Map() });
+    await lookAtArmed(armed);
+    expect(usePlayback.getState()).toMatchObject({ otherWire: "U", played: null, live: false });
+    // A design of which no wire can be made has none that could be armed.
+    platform.ask.mockRejectedValue(new Error("no route"));
+    useDesign.setState({ vertices: new Map() });
+    await lookAtArmed({ ...armed, job_hash: "b2" });
+    expect(usePlayback.getState().otherWire).toBe("U");
+  });
+
+  it("is as designed again with a new program, of which nobody knows yet how it is made", async () => {
+    await goTo(1);
+    await simulate();
+    usePlayback.setState({ shown: "both" });
+    useDesign.setState({ vertices: new Map() });
+    expect(usePlayback.getState().played).toBeNull();
+    await makeProgram();
+    expect(usePlayback.getState().shown).toBe("designed");
+  });
+
   it("shows the program as it is sent, with the peg's axis where the profile has it", async () => {
     await goTo(1);
     expect(usePlayback.getState()).toMatchObject({ step: 1, playing: false, live: false });

@@ -60,6 +60,35 @@ it("bends five pieces in a row, and asks for new wire when what is left does not
   await editor.isClean("pieces-done");
 });
 
+it("says before Start which wire is armed where that is not the one that is open, and whose it was in the end", async () => {
+  await fill("Pieces", "1");
+  await fill("Wire loaded", "1300");
+  await button("Arm…").click();
+  await dialog().getByRole("button", { name: "Arm", exact: true }).click();
+  await run().locator(".run-phase.armed").waitFor();
+  const says = run().getByText("Start bends the wire of House, armed before these changes.", { exact: true });
+  // What is set here counts when a wire is armed.
+  expect(await run().getByLabel("Pieces", { exact: true }).getAttribute("aria-disabled")).toBe("true");
+  await editor.page.locator(".viewport canvas").focus();
+  await editor.page.keyboard.press("Control+a");
+  await editor.page.keyboard.press("Delete");
+  await says.waitFor();
+  await run().getByRole("heading", { name: "The wire that is armed" }).waitFor();
+  await editor.isClean("armed-other");
+  await editor.page.keyboard.press("Control+z");
+  await says.waitFor({ state: "detached" });
+  await run().getByRole("heading", { name: "Wire of the design" }).waitFor();
+  await editor.page.keyboard.press("Control+y");
+  await says.waitFor();
+  await button("Start").click();
+  await run()
+    .getByText(/^The wire of House is finished, in/)
+    .waitFor();
+  await editor.isCleanNow("ended-other");
+  await editor.page.locator(".viewport canvas").focus();
+  await editor.page.keyboard.press("Control+z");
+});
+
 it("ends the row where a person says so, and keeps what was bent", async () => {
   await fill("Pieces", "3");
   await button("Arm…").click();

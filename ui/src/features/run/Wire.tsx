@@ -1,6 +1,7 @@
 import { Button } from "../../shared/controls/Button";
 import { Bar, Checkbox, Select } from "../../shared/controls/inputs";
 import { useLengths } from "../../shared/figures/unit";
+import { Line } from "../../shared/lists/Line";
 import type { MachineState } from "../../state/machine/operator";
 import { setCut, setPieces, setStock, setWire, useRow } from "../../state/machine/row";
 import { isBending, order, PAUSE_BUTTON, useRun } from "../../state/machine/run";
@@ -26,23 +27,31 @@ export function Wire({ state }: { readonly state: MachineState }) {
   const { pieces, stockMm, rest, row } = useRow();
   const arming = useArming(state);
   const { all, wires, wire, cuts, refused, anyway, setAnyway, accept } = arming;
-  const otherWire = useOtherWire();
+  const armed = state.phase === "armed";
+  const otherWire = useOtherWire(armed);
   const file = useRunFile((run) => run.file);
   const under = useRun(isBending);
-  const busy = under ? "A wire is being bent." : null;
+  // What is set is for the next wire that is armed.
+  const busy = under ? "A wire is being bent." : armed ? "The machine is armed. Disarm it to change this." : null;
   const several = wires.length > 1;
   return (
     <Part
       // Both are in sight, the file here and the design behind it: this says which of them is bent.
       title={
-        file ? `${several ? "Wires" : "Wire"} of ${file.name}` : several ? "Wires of the design" : "Wire of the design"
+        armed && otherWire
+          ? "The wire that is armed"
+          : file
+            ? `${several ? "Wires" : "Wire"} of ${file.name}`
+            : several
+              ? "Wires of the design"
+              : "Wire of the design"
       }
-      aside={under ? undefined : <span className="muted small">{loadPhrase(arming, long)}</span>}
+      aside={under || otherWire ? undefined : <span className="muted small">{loadPhrase(arming, long)}</span>}
     >
       {wires.length > 1 && (
         <Select
           aria-label="Wire to bend"
-          disabled={under}
+          disabled={busy !== null}
           value={wire === null ? ALL : String(wire)}
           onChoose={(index) => setWire(index === ALL ? null : Number(index))}
           choices={[
@@ -80,7 +89,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
         Cut each piece off
       </Checkbox>
       <div className="row">
-        {state.phase === "armed" ? (
+        {armed ? (
           <Button className="grow" why={all.disarm} onClick={() => void order({ order: "disarm" })}>
             Disarm
           </Button>
@@ -117,6 +126,11 @@ export function Wire({ state }: { readonly state: MachineState }) {
           </Button>
         )}
       </div>
+      {armed && otherWire && (
+        <ul aria-live="polite">
+          <Line tone="warning" what={otherWire} />
+        </ul>
+      )}
       {rest.length > 0 && !under && <p className="muted small">{restPhrase(rest, state.unfinished !== null)}</p>}
       {row && !under && <p className="muted small">{leftPhrase(row, state.unfinished !== null)}</p>}
       {state.wire && under && (

@@ -73,13 +73,21 @@ export function unfinishedPhrase({ made, of, in_doubt, resumable, piece }: Unfin
   return `${piece ? `It is piece ${piece.number} of ${piece.of}. ` : ""}${made === 0 ? "No step" : `Step ${made}`} of ${of} is done.${doubtful(in_doubt)}`;
 }
 
-/** What became of a wire. */
+/** What became of a wire. `of`: the design that it was of, where that is not what is open; `several`: it is one of several. */
 export function endedPhrase(
   run: WireRun,
   unit: DisplayUnit,
+  of: string | null = null,
+  several = false,
 ): { readonly tone: Tone; readonly what: string; readonly sub: string | null } {
   const { outcome, made, steps, elapsed_s, problem, deviations_mm, standstill, piece, wire: index } = run;
-  const wire = piece ? `Piece ${piece.number} of ${piece.of}` : index > 0 ? `Wire ${index + 1}` : "The wire";
+  const which = piece
+    ? `Piece ${piece.number} of ${piece.of}`
+    : several || index > 0
+      ? `Wire ${index + 1}`
+      : "The wire";
+  const whose = of === null ? "" : ` of ${of || "a design without a name"}`;
+  const wire = `${which}${whose}`;
   const sub = problem ? errorText(problem) : null;
   if (standstill && standstill !== "confirmed") {
     const what = `Not confirmed that the machine stands, after step ${made} of ${steps}`;
@@ -88,15 +96,16 @@ export function endedPhrase(
   switch (outcome) {
     case "made": {
       const worst = deviations_mm ? Math.max(0, ...deviations_mm) : null;
-      const off = worst === null ? null : `Worst vertex ${deviation(worst, unit)} from the design.`;
+      const off =
+        worst === null ? null : `Worst vertex ${deviation(worst, unit)} from ${of === null ? "the" : "its"} design.`;
       return { tone: "fine", what: `${wire} is finished, in ${time(elapsed_s)}`, sub: sub ?? off };
     }
     case "made-before":
-      return { tone: "fine", what: "The wire was finished before", sub };
+      return { tone: "fine", what: `The wire${whose} was finished before`, sub };
     case "sent":
       return {
         tone: "warning",
-        what: `All ${steps} steps are sent`,
+        what: `All ${steps} steps${whose} are sent`,
         sub: sub ?? "The machine does not report whether it ran them: look at the wire.",
       };
     case "stopped":

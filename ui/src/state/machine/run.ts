@@ -6,7 +6,7 @@ import { errorText } from "../../platform/error_text";
 import { dismissAll, tell, told } from "../asking/problems";
 import { asking } from "../asking/work";
 import { ofDesign, useDesign } from "../design/design";
-import { endLive, showDoubt, showLive, showMade } from "../program/program";
+import { endLive, isOfDesign, lookAtArmed, showDoubt, showLive, showMade } from "../program/program";
 import { useRunFile } from "../program/run_file";
 import { useUi } from "../window/ui";
 import { type ConsoleLine, withLines, withTyped } from "./console";
@@ -38,6 +38,8 @@ interface RunStore {
   readonly recorded: readonly Move[];
   /** What became of the wire that was bent last. */
   readonly ended: WireRun | null;
+  /** The name of the design that it was of, where that was not the open one as it is. */
+  readonly endedOf: string | null;
   /** What was bent before, the last first; null before that is known. */
   readonly runs: readonly RunEntry[] | null;
   /** Null before they are known. */
@@ -58,6 +60,7 @@ export const useRun = create<RunStore>()(() => ({
   refusedLine: null,
   recorded: [],
   ended: null,
+  endedOf: null,
   runs: null,
   ports: null,
   portProblem: null,
@@ -93,15 +96,17 @@ function stand(state: MachineState | null): void {
     between: state?.busy === true && !isInWire(state.phase) && !OVER.has(state.phase) && isBending(before),
     question: state?.question === undefined ? before.question : state.question,
   }));
-  if (state && isInWire(state.phase)) showWire();
+  if (state && (isInWire(state.phase) || state.phase === "armed")) showWire();
   else if (state?.wire && state.question?.doubt) void showDoubt(state.wire, state.question.doubt);
   else endLive();
 }
 
-/** Shows the wire that is being bent, as far as it is one of the open design. */
+/** Shows the wire that is being bent, as far as it is one of the open design; finds whether one that is armed is. */
 export function showWire(): void {
   const { state } = useRun.getState();
-  if (state?.wire && isInWire(state.phase)) void showLive(state.wire);
+  if (!state?.wire) return;
+  if (isInWire(state.phase)) void showLive(state.wire);
+  else if (state.phase === "armed") void lookAtArmed(state.wire);
 }
 
 /** Lines come faster than they can be drawn: they are collected for a moment. */
@@ -153,7 +158,10 @@ export function hearOperator(event: OperatorEvent): void {
     case "run-ended":
       // The notes of a wire that was bent were shown on the way.
       if (event.wires.length === 0) for (const note of event.notes) tell("warning", errorText(note), note.code);
-      useRun.setState({ ended: event.wires.at(-1) ?? null });
+      useRun.setState(({ state }) => ({
+        ended: event.wires.at(-1) ?? null,
+        endedOf: state?.wire && !isOfDesign(state.wire.job_hash) ? state.wire.name : null,
+      }));
       hearRow(event);
       if (event.wires.at(-1)?.outcome === "made") showMade();
       break;

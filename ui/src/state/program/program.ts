@@ -75,17 +75,16 @@ export const usePlayback = create<PlaybackStore>()(() => ({
   otherWire: null,
 }));
 
-/** What to say of the wire that a machine bends when the view cannot show it; null where it does, or where none is bent. */
-export function useOtherWire(): string | null {
+/** What to say of the wire that a machine bends, or is armed for, where that is not one of what is open; null where it is, or where there is none. */
+export function useOtherWire(armed: boolean): string | null {
   const name = usePlayback(({ otherWire }) => otherWire);
   const own = useDesign(({ state }) => state?.name ?? "");
   const file = useRunFile((run) => run.file);
   if (name === null) return null;
   const whose = name || "a design without a name";
-  if (file) return `This is the wire of ${whose}, which is not the file that is open. It is not shown.`;
-  return name === own
-    ? `This is the wire of ${whose}, armed before these changes. It is not shown.`
-    : `This is the wire of ${whose}, which is not the open design. It is not shown.`;
+  const other = file ? "which is not the file that is open" : "which is not the open design";
+  const why = !file && name === own ? "armed before these changes" : other;
+  return armed ? `Start bends the wire of ${whose}, ${why}.` : `This is the wire of ${whose}, ${why}. It is not shown.`;
 }
 
 function basisNow(): Basis {
@@ -163,6 +162,8 @@ async function ask(basis: Basis, machine: string | null): Promise<boolean> {
   }
   if (before !== forgotten) return false;
   useProgram.setState({ ...answer, asking: false });
+  // How the machine bends it is not known of this one.
+  usePlayback.setState({ shown: "designed" });
   const { played, step } = usePlayback.getState();
   if (played) show(step);
   return true;
@@ -311,6 +312,18 @@ export async function showDoubt(
 ): Promise<void> {
   await showLive({ ...wire, made: step - 1, in_step });
 }
+
+/** Finds whether the wire that a machine is armed for is one of the open design as it is. Nothing is shown of it before it is begun. */
+export async function lookAtArmed({ job_hash, name }: Pick<WireState, "job_hash" | "name">): Promise<void> {
+  if (usePlayback.getState().live) endLive();
+  const before = over;
+  if (!isUpToDate() && !(await makeProgram()) && !isUpToDate()) return;
+  if (before === over) usePlayback.setState({ otherWire: isOfDesign(job_hash) ? null : name });
+}
+
+/** Whether a job is that of what is open, as it is. */
+export const isOfDesign = (job_hash: string): boolean =>
+  isUpToDate() && useProgram.getState().program?.job_hash === job_hash;
 
 /** The machine is done with the wire: the person may play it. */
 export function endLive(): void {

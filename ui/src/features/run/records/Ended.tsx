@@ -2,6 +2,7 @@ import { useEffect, useRef } from "react";
 import { useUnit } from "../../../shared/figures/unit";
 import { Line } from "../../../shared/lists/Line";
 import { dismissAll, tell } from "../../../state/asking/problems";
+import { useRow } from "../../../state/machine/row";
 import { useRun } from "../../../state/machine/run";
 import { useUnits } from "../../../state/window/units";
 import { endedPhrase } from "../phrases";
@@ -17,7 +18,8 @@ function inSight(line: Element): boolean {
 
 /** What became of the wire that was bent last. */
 export function Ended() {
-  const ended = useRun((run) => run.ended);
+  const { ended, endedOf } = useRun();
+  const several = useRow(({ rest }) => rest.length > 0);
   const unit = useUnit();
   const line = useRef<HTMLUListElement>(null);
   useEffect(() => {
@@ -27,12 +29,12 @@ export function Ended() {
       line.current.scrollIntoView({ block: "nearest" });
       return;
     }
-    const { tone, what, sub } = endedPhrase(ended, useUnits.getState().unit);
+    const { tone, what, sub } = endedPhrase(ended, useUnits.getState().unit, endedOf, several);
     tell(tone === "error" || tone === "warning" ? tone : "info", sub ? `${what}. ${sub}` : `${what}.`, ENDED);
     return () => dismissAll(ENDED);
-  }, [ended]);
+  }, [ended, endedOf, several]);
   if (!ended) return null;
-  const { tone, what, sub } = endedPhrase(ended, unit);
+  const { tone, what, sub } = endedPhrase(ended, unit, endedOf, several);
   return (
     <ul ref={line} aria-live="polite">
       <Line tone={tone} what={what} sub={sub} />
