@@ -243,6 +243,9 @@ fn a_wire_is_given_up_and_begun_anew() {
     shop.make(&["--yes"]).ended(0);
     let outcomes: Vec<Value> = shop.list().iter().map(|run| run["outcome"].clone()).collect();
     assert_eq!(outcomes, [json!("abandoned"), json!("finished")]);
+    // It was begun, and is finished.
+    let refused = shop.run(&["run", "a.wbjob", "--abandon"]).ended(2).err;
+    assert!(refused.contains("no wire of this job is unfinished"), "{refused}");
 }
 
 #[test]
