@@ -141,6 +141,27 @@ pub enum Remedy {
 }
 
 impl Remedy {
+    /// Whether it has the wires run another way, which takes a design that is planned anew.
+    #[must_use]
+    pub const fn plans_anew(&self) -> bool {
+        matches!(
+            self,
+            Self::BendEachPart
+                | Self::DoubleEdges { .. }
+                | Self::Detour { .. }
+                | Self::FindDoubling
+                | Self::StartAtVertex { .. }
+                | Self::EndAtVertex
+                | Self::ChooseStart
+                | Self::LeaveStartOpen
+                | Self::SplitDesign
+                | Self::SplitEdge
+                | Self::AvoidCollisions
+                | Self::SearchLonger
+                | Self::AllowWires
+        )
+    }
+
     /// The remedy of a doubling that has been found for a wire.
     pub(crate) fn double(doubling: &Doubling, wireframe: &Wireframe, component: &Component) -> Self {
         let edges = component.edges.iter();

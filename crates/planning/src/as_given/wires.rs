@@ -69,7 +69,7 @@ impl GivenWires {
             });
             let contacts = Some(searched.contacts);
             let findings = keep_contacts(wireframe, &setup.model, plan, contacts);
-            plan.diagnostics.extend(findings);
+            plan.diagnostics.extend(findings.into_iter().map(as_it_is));
             plan.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);
             if !searched.whole {
                 plan.contacts = None;
@@ -157,8 +157,14 @@ fn given(name: &str, wire: &JobWire, setup: &Setup) -> Result<(Wireframe, WirePl
         seconds: Some(wire.time_s),
         stock: Some(Length::from_mm(wire.stock_mm).unwrap_or_default()),
     };
-    plan.diagnostics = check_given(&wireframe, &setup.model, &plan);
+    plan.diagnostics = check_given(&wireframe, &setup.model, &plan).into_iter().map(as_it_is).collect();
     Ok((wireframe, plan))
+}
+
+/// Without the remedies that plan the wire anew: here it is run as it is.
+fn as_it_is(mut finding: Diagnostic) -> Diagnostic {
+    finding.remedies.retain(|remedy| !remedy.plans_anew());
+    finding
 }
 
 /// The struts of a wire: a vertex for each id, an edge for each two that follow one another.
@@ -187,8 +193,27 @@ fn wireframe(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::as_given::{ProgramMachine, job_of_file};
     use crate::design::DesignInput;
     use crate::{Installation, NoProgress, PlanChoices};
+
+    /// A person would be sent to options that running a program does not have.
+    #[test]
+    fn nothing_is_advised_for_a_program_that_would_plan_it_anew() {
+        let app = Installation::new(&[]).unwrap();
+        let setup = app.setup("wirebend-kit", None).unwrap();
+        let of = ProgramMachine { machine: Some("wirebend-kit"), material: None };
+        for text in ["F 50\nB 200\nF 50\n", "F 50\nB 90\nB 20\nF 50\n", "F 50\nB 148\nF 50\n"] {
+            let job = job_of_file(&app, "bends.txt", text.as_bytes(), of).unwrap();
+            let mut given = GivenWires::of("bends.txt", &job, &setup).unwrap();
+            assert_eq!(given.find_collisions(&setup), None);
+            let findings: Vec<_> = given.findings().collect();
+            assert!(!findings.is_empty(), "{text}");
+            for finding in findings {
+                assert!(finding.remedies.iter().all(|remedy| !remedy.plans_anew()), "{finding:?}");
+            }
+        }
+    }
 
     /// The second wire counts as not looked at, too: it may collide as well as the first.
     #[test]
