@@ -128,12 +128,14 @@ impl Searching<'_> {
         edges
     }
 
-    /// A vertex and those of its part of the design that are nearest to it, in the order of their distance.
+    /// A vertex and those of its part of the design that are nearest to it, in the order of their distance. What the design holds fixed is
+    /// not moved.
     fn near(&self, id: VertexId) -> Vec<VertexId> {
         let place = |id: VertexId| self.wireframe.vertex(id).map(|vertex| vertex.position);
         let Some(here) = place(id) else { return Vec::new() };
         let far = |id: &VertexId| place(*id).map_or(f64::INFINITY, |there| (there - here).norm());
         let mut near = self.component.vertices.clone();
+        near.retain(|&id| self.wireframe.vertex(id).is_some_and(|vertex| !vertex.support));
         near.sort_by(|one, other| far(one).total_cmp(&far(other)));
         near.truncate(MOVED);
         near

@@ -192,6 +192,12 @@ fn the_least_move_that_helps_is_named() {
     let place = Edit::Place { vertex: moved.vertex, position: moved.to };
     elsewhere.commit(&place.resolve(&hook).unwrap()).unwrap();
     assert!(planned(&elsewhere, &machine, &one)[0].searched.unwrap().found);
+    // What the design holds fixed is not moved.
+    let mut held = hook.clone();
+    let all = Edit::SetSupport { vertices: hook.vertices().map(|(id, _)| id).collect(), support: true };
+    held.commit(&all.resolve(&hook).unwrap()).unwrap();
+    let said = helps(&planned(&held, &machine, &one)).found;
+    assert!(!said.iter().any(|help| matches!(help.change, Change::Moved(_))), "{said:?}");
 }
 
 /// A search that does not begin is not passed over in silence.
