@@ -31,7 +31,7 @@ pub struct ContactReport {
     pub body: Option<usize>,
     /// How deep they are in each other at the worst of that step, mm; below zero: they only come so near.
     pub depth_mm: f64,
-    /// In how many later steps they meet again.
+    /// In how many later steps they meet again in this way.
     pub later: usize,
     /// Whether where it is depends on dimensions that were not measured.
     pub estimated: bool,

@@ -4044,7 +4044,7 @@ export interface ContactReport {
   estimated: boolean;
   finding: DiagnosticReport;
   /**
-   * In how many later steps they meet again.
+   * In how many later steps they meet again in this way.
    */
   later: number;
   /**

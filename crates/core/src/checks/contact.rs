@@ -1,7 +1,7 @@
 //! Whether the wire already bent meets the machine, or the wire that is still to come.
 
 use super::{Diagnostic, Fact, Location, Meeting, Remedy, Severity, Source, Sourced, WireStages};
-use crate::clearance::{Contact, FirstContact, Obstacle};
+use crate::clearance::{Contact, FirstContact, MeetsAs, Obstacle};
 use crate::units::Length;
 
 pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
@@ -9,7 +9,7 @@ pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
 }
 
 fn finding(wire: &WireStages, first: &FirstContact) -> Option<Diagnostic> {
-    let FirstContact { contact, depth, later, .. } = *first;
+    let FirstContact { contact, depth, later, kind } = *first;
     let Contact { phase, fed, bent, head, .. } = contact;
     let struck = wire.edges_of_step(contact.leg);
     let meeting = Meeting { struck: struck.clone(), phase, fed, bent, head, depth, later };
@@ -22,11 +22,7 @@ fn finding(wire: &WireStages, first: &FirstContact) -> Option<Diagnostic> {
         let own = [Remedy::MoveApart, Remedy::ChooseStart, Remedy::SplitDesign];
         return Some(Diagnostic {
             // Wires that touch give way to each other; where one is in the middle of the other, neither can.
-            severity: if depth > Length::computed(wire.diameter.mm() / 2.0) {
-                Severity::Error
-            } else {
-                Severity::Warning
-            },
+            severity: if kind == MeetsAs::Through { Severity::Error } else { Severity::Warning },
             location: Location { edges, ..location },
             fact: Fact::MeetsStock(meeting),
             remedies: search.into_iter().chain(own).collect(),
@@ -36,7 +32,7 @@ fn finding(wire: &WireStages, first: &FirstContact) -> Option<Diagnostic> {
     location.edges = struck;
     let source = Source { reason: Some(body.source.clone()), entry: body.entry.clone() };
     // What is only estimated may be elsewhere, and what only comes near does not hit: worth a look, not an error.
-    let severity = if body.measured && meeting.hits() { Severity::Error } else { Severity::Warning };
+    let severity = if body.measured && first.hits() { Severity::Error } else { Severity::Warning };
     let own = [Remedy::ChooseStart, Remedy::SplitDesign, Remedy::ChooseMachine];
     let measure = (!body.measured).then_some(Remedy::MeasureBody);
     Some(Diagnostic {

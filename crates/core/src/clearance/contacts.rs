@@ -87,8 +87,8 @@ impl Clearance<'_> {
         Some(found)
     }
 
-    /// Takes the contacts of a step, look by look; the looks are asked for step by step. What goes through the middle is met where it is
-    /// touched, if that is in the same step.
+    /// Takes the contacts of a step, look by look; the steps are asked for in order. What goes through the middle is met where it is touched,
+    /// if that is in the same step.
     fn look(&mut self, looks: &mut [Look], step: usize, mut take: impl FnMut(MeetsAs, Contact)) {
         let margin = self.wire.margin;
         let (mut hits_stock, mut touch) = (false, None);
@@ -148,12 +148,13 @@ impl Clearance<'_> {
         let mut asked = Asked::new(self, step, &strokes);
         let all = self.bodies.all.iter().enumerate().map(|(index, body)| (Obstacle::Body(index), body));
         let all: Vec<(Obstacle, &Body)> = all.chain([(Obstacle::Stock, &self.stock[step])]).collect();
+        let exact = (DEPTH_SHARE * -self.wire.margin.mm()).max(2.0 * DEPTH_EXACT);
         let mut met = Vec::new();
         let mut found = Vec::new();
         for one in all.into_iter().filter(|(obstacle, _)| asks_of(*obstacle)) {
             let Some((stroke, meeting)) = asked.first(one) else { continue };
             // What a wire that hangs may meet for all that is known of its shape is not met.
-            if self.hanging.is_some() && self.least(&mut asked, one) > self.wire.reach() + 2.0 * DEPTH_EXACT {
+            if self.hanging.is_some() && self.least(&mut asked, one) > self.wire.reach() + exact {
                 continue;
             }
             met.push(one.0);

@@ -20,7 +20,7 @@ pub struct Meeting {
     pub head: Angle,
     /// How deep they are in each other at the worst of the step; below zero: they only come so near.
     pub depth: Length,
-    /// In how many later steps they meet again.
+    /// In how many later steps they meet again in this way.
     pub later: usize,
 }
 
