@@ -144,22 +144,61 @@ impl Remedy {
     /// Whether it has the wires run another way, which takes a design that is planned anew.
     #[must_use]
     pub const fn plans_anew(&self) -> bool {
-        matches!(
-            self,
+        match self {
             Self::BendEachPart
-                | Self::DoubleEdges { .. }
-                | Self::Detour { .. }
-                | Self::FindDoubling
-                | Self::StartAtVertex { .. }
-                | Self::EndAtVertex
-                | Self::ChooseStart
-                | Self::LeaveStartOpen
-                | Self::SplitDesign
-                | Self::SplitEdge
-                | Self::AvoidCollisions
-                | Self::SearchLonger
-                | Self::AllowWires
-        )
+            | Self::DoubleEdges { .. }
+            | Self::Detour { .. }
+            | Self::FindDoubling
+            | Self::StartAtVertex { .. }
+            | Self::EndAtVertex
+            | Self::ChooseStart
+            | Self::LeaveStartOpen
+            | Self::SplitDesign
+            | Self::SplitEdge
+            | Self::AvoidCollisions
+            | Self::SearchLonger
+            | Self::AllowWires => true,
+            Self::Leave
+            | Self::LeaveTouching
+            | Self::LeaveRoom
+            | Self::HoldUp
+            | Self::TieWires
+            | Self::FastenThere
+            | Self::JoinEdges
+            | Self::DrawEdges
+            | Self::TakeFaceEdges
+            | Self::DeleteEdge
+            | Self::DeleteParallelEdge
+            | Self::MergeVertices
+            | Self::ConnectVertex
+            | Self::DeleteVertex
+            | Self::ConnectParts
+            | Self::ReduceOddVertices
+            | Self::LengthenEdge { .. }
+            | Self::ShortenStraight
+            | Self::AddBend
+            | Self::ScaleUp
+            | Self::ScaleDown
+            | Self::OpenAngle
+            | Self::OpenAngleOfTwo
+            | Self::KeepBendBelow { .. }
+            | Self::EnlargeBend
+            | Self::Straighten
+            | Self::EaseBends
+            | Self::TurnBendPlane
+            | Self::MoveApart
+            | Self::Calibrate
+            | Self::MeasureBody
+            | Self::SupportVertices
+            | Self::BraceFrame
+            | Self::BuildLater
+            | Self::TurnHead
+            | Self::MoveFrame
+            | Self::AllowMoreSag
+            | Self::ChooseMaterial
+            | Self::ChooseMachine
+            | Self::ChooseMachineWithRotation => false,
+        }
     }
 
     /// The remedy of a doubling that has been found for a wire.

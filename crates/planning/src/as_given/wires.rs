@@ -203,14 +203,19 @@ mod tests {
         let app = Installation::new(&[]).unwrap();
         let setup = app.setup("wirebend-kit", None).unwrap();
         let of = ProgramMachine { machine: Some("wirebend-kit"), material: None };
-        for text in ["F 50\nB 200\nF 50\n", "F 50\nB 90\nB 20\nF 50\n", "F 50\nB 148\nF 50\n"] {
+        for (text, advised) in [
+            ("F 50\nB 200\nF 50\n", &["open the angle between the two edges"][..]),
+            ("F 50\nB 90\nB 20\nF 50\n", &["move the edges apart"]),
+        ] {
             let job = job_of_file(&app, "bends.txt", text.as_bytes(), of).unwrap();
             let mut given = GivenWires::of("bends.txt", &job, &setup).unwrap();
             assert_eq!(given.find_collisions(&setup), None);
-            let findings: Vec<_> = given.findings().collect();
-            assert!(!findings.is_empty(), "{text}");
-            for finding in findings {
-                assert!(finding.remedies.iter().all(|remedy| !remedy.plans_anew()), "{finding:?}");
+            let helps: Vec<String> = given.findings().map(crate::text::help).collect();
+            for advice in advised {
+                assert!(helps.iter().any(|help| help == advice), "{helps:?}");
+            }
+            for advice in ["start the wire", "search for a program", "several wires"] {
+                assert!(!helps.iter().any(|help| help.contains(advice)), "{helps:?}");
             }
         }
     }
