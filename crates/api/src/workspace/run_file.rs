@@ -7,11 +7,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_files::document::Job;
 use wirebend_files::read::Format;
-use wirebend_planning::PlanningError;
 use wirebend_planning::as_given::{GivenWires, ProgramMachine, job_of_file, job_of_moves};
 use wirebend_planning::job::is_job;
 use wirebend_planning::machine::{Setup, accepted_errors, restored};
 use wirebend_planning::report::{DiagnosticReport, NoteReport};
+use wirebend_planning::{Installation, PlanningError};
 
 use super::{MadeResponse, ProgramResponse, Workspace};
 use crate::{ApiError, Input, MovesFile, Progress};
@@ -91,7 +91,7 @@ pub struct RunFileWire {
 pub(super) struct RunFile {
     pub report: RunFileReport,
     /// As it was read.
-    bytes: Vec<u8>,
+    bytes: Arc<[u8]>,
     job: Job,
     setup: Setup,
     wires: GivenWires,
@@ -121,7 +121,7 @@ impl RunFile {
     pub fn require_unchanged(&self) -> Result<(), ApiError> {
         let now = self.report.path.as_ref().and_then(|path| std::fs::read(path).ok());
         match now {
-            Some(bytes) if bytes != self.bytes => {
+            Some(bytes) if *bytes != *self.bytes => {
                 Err(ApiError::FileChanged { name: self.report.name.clone() })
             }
             _ => Ok(()),
@@ -158,7 +158,8 @@ impl Workspace {
         };
         let design = self.open().state();
         let of = ProgramMachine { machine: design.machine.as_deref(), material: design.material.as_deref() };
-        let file = self.read_run_file(&name, (path.clone(), own), bytes, of, progress)?;
+        let file =
+            read_run_file(&self.installation(), &name, (path.clone(), own), bytes.into(), of, progress)?;
         if let Some(path) = path {
             self.remember(&path);
         }
@@ -171,63 +172,29 @@ impl Workspace {
         _: &CheckRunFile,
         progress: &dyn Progress,
     ) -> Result<RunFileNow, ApiError> {
-        if let Some(open) = self.run_file() {
+        while let Some(open) = self.run_file() {
+            let app = self.installation();
             let RunFileReport { name, path, machine, material, .. } = &open.report;
             let full = path.as_ref().map_or_else(|| name.clone(), |path| path.display().to_string());
             let of = ProgramMachine { machine: Some(machine), material: Some(material) };
-            let file =
-                self.read_run_file(&full, (path.clone(), name.clone()), open.bytes.clone(), of, progress)?;
+            let bytes = Arc::clone(&open.bytes);
+            let file = read_run_file(&app, &full, (path.clone(), name.clone()), bytes, of, progress);
             let mut now = self.run_file.lock().unwrap_or_else(PoisonError::into_inner);
-            // It may have been closed meanwhile.
-            if now.as_ref().is_some_and(|now| Arc::ptr_eq(now, &open)) {
-                *now = Some(Arc::new(file));
+            // Closed meanwhile, or another one opened.
+            if !now.as_ref().is_some_and(|now| Arc::ptr_eq(&now.bytes, &open.bytes)) {
+                break;
             }
+            // Profiles that were changed meanwhile count.
+            if !Arc::ptr_eq(&app, &self.installation()) {
+                continue;
+            }
+            // What cannot be checked any more is not armed with what was found before.
+            *now = None;
+            *now = Some(Arc::new(file?));
+            break;
         }
         Ok(self.run_file_now())
     }
-
-    /// What a file holds that is to be run; `of` is the machine that a program is for, which has no other.
-    fn read_run_file(
-        &self,
-        name: &str,
-        (path, own): (Option<PathBuf>, String),
-        bytes: Vec<u8>,
-        of: ProgramMachine,
-        progress: &dyn Progress,
-    ) -> Result<RunFile, ApiError> {
-        let app = self.installation();
-        let moves = is_recording(name, &bytes);
-        let (kind, job, moves) = if moves {
-            let count = MovesFile::open(name, &bytes)?.moves.len();
-            (RunFileKind::Moves, job_of_moves(&app, name, &bytes, of)?, count)
-        } else {
-            let kind = if is_job(name, &bytes) { RunFileKind::Job } else { RunFileKind::Program };
-            (kind, job_of_file(&app, name, &bytes, of)?, 0)
-        };
-        let setup = restored(name, job.contents())?;
-        let mut wires = GivenWires::of(name, &job, &setup)?;
-        let mut notes = if kind == RunFileKind::Job { accepted_errors(job.contents()) } else { Vec::new() };
-        // Nobody has looked at a program before: one that collides is refused like a design that does.
-        if kind == RunFileKind::Program {
-            progress.stage("checking for collisions");
-            notes.extend(wires.find_collisions(&setup));
-        }
-        let report = RunFileReport {
-            name: own,
-            path,
-            kind,
-            machine: setup.machine_id().to_owned(),
-            material: setup.material_id().to_owned(),
-            job_hash: job.hash().to_owned(),
-            wires: job.contents().wires.iter().map(|wire| RunFileWire::of(wire, &setup)).collect(),
-            moves,
-            feasible: wires.feasible(),
-            findings: wires.findings().map(DiagnosticReport::from).collect(),
-            notes,
-        };
-        Ok(RunFile { report, bytes, job, setup, wires })
-    }
-
     pub(crate) fn close_run_file(&self, _: &CloseRunFile, _: &dyn Progress) -> Result<RunFileNow, ApiError> {
         self.put_run_file(None);
         Ok(self.run_file_now())
@@ -258,6 +225,47 @@ impl Workspace {
     ) -> Result<MadeResponse, ApiError> {
         super::program::made_of(&self.installation(), &file.report.name, &file.setup, &file.job, progress)
     }
+}
+
+/// What a file holds that is to be run; `of` is the machine that a program is for, which has no other.
+fn read_run_file(
+    app: &Installation,
+    name: &str,
+    (path, own): (Option<PathBuf>, String),
+    bytes: Arc<[u8]>,
+    of: ProgramMachine,
+    progress: &dyn Progress,
+) -> Result<RunFile, ApiError> {
+    let moves = is_recording(name, &bytes);
+    let (kind, job, moves) = if moves {
+        let count = MovesFile::open(name, &bytes)?.moves.len();
+        (RunFileKind::Moves, job_of_moves(app, name, &bytes, of)?, count)
+    } else {
+        let kind = if is_job(name, &bytes) { RunFileKind::Job } else { RunFileKind::Program };
+        (kind, job_of_file(app, name, &bytes, of)?, 0)
+    };
+    let setup = restored(name, job.contents())?;
+    let mut wires = GivenWires::of(name, &job, &setup)?;
+    let mut notes = if kind == RunFileKind::Job { accepted_errors(job.contents()) } else { Vec::new() };
+    // Nobody has looked at a program before: one that collides is refused like a design that does.
+    if kind == RunFileKind::Program {
+        progress.stage("checking for collisions");
+        notes.extend(wires.find_collisions(&setup));
+    }
+    let report = RunFileReport {
+        name: own,
+        path,
+        kind,
+        machine: setup.machine_id().to_owned(),
+        material: setup.material_id().to_owned(),
+        job_hash: job.hash().to_owned(),
+        wires: job.contents().wires.iter().map(|wire| RunFileWire::of(wire, &setup)).collect(),
+        moves,
+        feasible: wires.feasible(),
+        findings: wires.findings().map(DiagnosticReport::from).collect(),
+        notes,
+    };
+    Ok(RunFile { report, bytes, job, setup, wires })
 }
 
 impl RunFileWire {

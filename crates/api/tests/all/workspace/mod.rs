@@ -7,6 +7,7 @@ mod frames;
 mod machines;
 mod predictions;
 mod profiles;
+mod run_files;
 mod running;
 mod wrong_files;
 
