@@ -81,6 +81,24 @@ it.each(["program", "job", "moves"] as const)(
   },
 );
 
+it("closes a program that cannot be checked with a changed profile, and keeps what is told where it can be", async () => {
+  const file = { path: "/a.txt", kind: "program", name: "a.txt" } as RunFileReport;
+  useRunFile.setState({ file });
+  useRun.setState({ ended: { outcome: "made" } as WireRun });
+  vi.mocked(platform.ask)
+    .mockReset()
+    .mockResolvedValue({ file: { ...file, feasible: false } } as never);
+  useMachines.setState(({ changes }) => ({ changes: changes + 1 }));
+  await vi.waitFor(() => expect(useRunFile.getState().file?.feasible).toBe(false));
+  expect(useRun.getState().ended).not.toBeNull();
+  vi.mocked(platform.ask).mockImplementation(async (name) => {
+    if (name === "check-run-file") throw new Refused({ code: "format-of-another" } as never);
+    return { file: null } as never;
+  });
+  useMachines.setState(({ changes }) => ({ changes: changes + 1 }));
+  await vi.waitFor(() => expect(useRunFile.getState().file).toBeNull());
+});
+
 it("keeps no refusal that comes after a profile was changed", async () => {
   let refuse = (_: Error) => {};
   const asked = ofDesign(new Promise((_, reject) => (refuse = reject)));

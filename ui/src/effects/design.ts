@@ -13,7 +13,7 @@ import { setWanted } from "../state/machine/row";
 import { forgetEnded, showWire } from "../state/machine/run";
 import { shownDesign } from "../state/parts/parts";
 import { forgetPrediction, forgetPredictionProblem } from "../state/prediction/prediction";
-import { forgetProgram, goTo, leaveStaleProgram } from "../state/program/program";
+import { forgetProgram, goTo, leaveStaleProgram, usePlayback } from "../state/program/program";
 import { checkRunFile, forgetRunFile, useRunFile } from "../state/program/run_file";
 import { forgetSequence, forgetSequenceProblem, hideSequence } from "../state/sequence/sequence";
 import { designReplaced } from "../state/window/commands";
@@ -45,11 +45,14 @@ function followRunFile(): End {
   return whenChanged(
     useRunFile,
     ({ file }) => [file],
-    ({ file }) => {
+    ({ file, opened }, before) => {
+      const { played, step } = usePlayback.getState();
+      const anew = opened !== before.opened;
       forgetProgram();
-      forgetEnded();
-      // What it leaves; it is played from its beginning.
-      if (file) void goTo(Number.POSITIVE_INFINITY);
+      if (anew) forgetEnded();
+      // What it leaves; it is played from its beginning. Checked anew, it is shown where it was.
+      if (file && anew) void goTo(Number.POSITIVE_INFINITY);
+      else if (file && played) void goTo(step);
       queueMicrotask(showWire);
     },
   );
@@ -65,17 +68,14 @@ function followChanges(): End {
         stopComparing();
         showFrame(null);
         hideSequence();
-        // A machine that is armed or holds reports nothing by itself.
-        showWire();
       },
     ),
     useDesign.subscribe(leaveStaleProgram),
     whenChanged(
       useDesign,
-      ({ state }) => [state !== null],
-      ({ state }) => {
-        if (state) showWire();
-      },
+      ({ vertices, edges, state }) => [vertices, edges, choicesOf(state), JSON.stringify(state?.pauses)],
+      // A machine that is armed or holds reports nothing by itself.
+      showWire,
     ),
     whenChanged(useDesign, ({ vertices, edges, state, limits }) => [vertices, edges, state, limits], hideFix),
     whenChanged(useDesign, ({ limits }) => [limits], lookForCollisions),

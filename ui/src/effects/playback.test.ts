@@ -6,6 +6,8 @@ vi.mock("../platform", () => ({ platform, Refused: class Refused extends Error {
 
 import type { ProgramResponse } from "../generated/responses";
 import { useDesign } from "../state/design/design";
+import type { MachineState } from "../state/machine/operator";
+import { useRun } from "../state/machine/run";
 import {
   endLive,
   forgetProgram,
@@ -62,6 +64,24 @@ describe("playback", () => {
     useDesign.setState({ vertices: new Map() });
     await lookAtArmed({ ...armed, job_hash: "b2" });
     expect(usePlayback.getState().otherWire).toBe("U");
+  });
+
+  it("goes back to a design that is edited while a machine is armed, and says that another wire is", async () => {
+    useRun.setState({ state: { phase: "armed", wire: { job_hash: "a1", name: "U" } } as MachineState });
+    await goTo(1);
+    platform.ask.mockImplementation(async (ask: string) =>
+      ask === "program" ? { ...program, job_hash: "b2" } : ask === "machine-view" ? view : null,
+    );
+    useDesign.setState({ vertices: new Map() });
+    expect(usePlayback.getState().played).toBeNull();
+    await vi.waitFor(() => expect(usePlayback.getState()).toMatchObject({ otherWire: "U", played: null }));
+    // Where it pauses is a part of the job.
+    platform.ask.mockImplementation(async (ask: string) =>
+      ask === "program" ? program : ask === "machine-view" ? view : null,
+    );
+    useDesign.setState({ state: { ...state, pauses: [{ wire: 0, step: 1, text: "" }] as never } });
+    await vi.waitFor(() => expect(usePlayback.getState().otherWire).toBeNull());
+    useRun.setState({ state: null });
   });
 
   it("is as designed again with a new program, of which nobody knows yet how it is made", async () => {

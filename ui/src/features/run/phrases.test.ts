@@ -118,10 +118,18 @@ describe("wires", () => {
       sub: "Worst vertex 0.08 mm from the design.",
     });
     expect(endedPhrase({ ...run, deviations_mm: null }, "mm").sub).toBeNull();
-    const ofHouse = endedPhrase(run, "mm", "House", true);
+    const of = { of: "House", several: false };
+    for (const outcome of ["made", "made-before", "sent", "stopped", "failed", "abandoned"] as const)
+      expect(endedPhrase({ ...run, outcome }, "mm", of).what).toMatch(/^The wire of House(:| is| was) [a-z]/);
+    expect(endedPhrase({ ...run, outcome: "stopped", standstill: "not-confirmed" }, "mm", of).what).toMatch(
+      /^The wire of House: not confirmed/,
+    );
+    const ofHouse = endedPhrase(run, "mm", { of: "House", several: true });
     expect(ofHouse.what).toMatch(/^Wire 1 of House is finished/);
     expect(ofHouse.sub).toMatch(/from its design\.$/);
-    expect(endedPhrase(run, "mm", "").what).toMatch(/^The wire of a design without a name is finished/);
+    expect(endedPhrase(run, "mm", { of: "", several: false }).what).toMatch(
+      /^The wire of a design without a name is finished/,
+    );
     expect(endedPhrase({ ...run, outcome: "stopped", made: 14 }, "mm").what).toBe("Stopped after step 14 of 31");
     expect(endedPhrase({ ...run, outcome: "stopped", standstill: "confirmed", made: 14 }, "mm").what).toBe(
       "Stopped after step 14 of 31",

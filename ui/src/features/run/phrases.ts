@@ -7,6 +7,7 @@ import { angle, type DisplayUnit, deviation, length, time } from "../../shared/f
 import type { Tone } from "../../shared/lists/Mark";
 import type { Move, Unfinished, WireRun, WireState } from "../../state/machine/operator";
 import type { Row } from "../../state/machine/row";
+import type { EndedAs } from "../../state/machine/run";
 import type { Arming } from "./arming";
 
 /** "/dev/ttyACM0 · Arduino Uno · probably this one". */
@@ -73,24 +74,21 @@ export function unfinishedPhrase({ made, of, in_doubt, resumable, piece }: Unfin
   return `${piece ? `It is piece ${piece.number} of ${piece.of}. ` : ""}${made === 0 ? "No step" : `Step ${made}`} of ${of} is done.${doubtful(in_doubt)}`;
 }
 
-/** What became of a wire. `of`: the design that it was of, where that is not what is open; `several`: it is one of several. */
+/** What became of a wire. */
 export function endedPhrase(
   run: WireRun,
   unit: DisplayUnit,
-  of: string | null = null,
-  several = false,
+  { of, several }: EndedAs = { of: null, several: false },
 ): { readonly tone: Tone; readonly what: string; readonly sub: string | null } {
   const { outcome, made, steps, elapsed_s, problem, deviations_mm, standstill, piece, wire: index } = run;
-  const which = piece
-    ? `Piece ${piece.number} of ${piece.of}`
-    : several || index > 0
-      ? `Wire ${index + 1}`
-      : "The wire";
+  const which = piece ? `Piece ${piece.number} of ${piece.of}` : several ? `Wire ${index + 1}` : "The wire";
   const whose = of === null ? "" : ` of ${of || "a design without a name"}`;
   const wire = `${which}${whose}`;
+  // Where it is another design's than what is open, that comes first.
+  const says = (what: string) => (of === null ? what : `${wire}: ${what[0]?.toLowerCase()}${what.slice(1)}`);
   const sub = problem ? errorText(problem) : null;
   if (standstill && standstill !== "confirmed") {
-    const what = `Not confirmed that the machine stands, after step ${made} of ${steps}`;
+    const what = says(`Not confirmed that the machine stands, after step ${made} of ${steps}`);
     return { tone: "error", what, sub: "Cut the power of the machine, then look at it and at the wire." };
   }
   switch (outcome) {
@@ -105,19 +103,19 @@ export function endedPhrase(
     case "sent":
       return {
         tone: "warning",
-        what: `All ${steps} steps${whose} are sent`,
+        what: says(`All ${steps} steps are sent`),
         sub: sub ?? "The machine does not report whether it ran them: look at the wire.",
       };
     case "stopped":
       return {
         tone: "warning",
-        what: `Stopped after step ${made} of ${steps}`,
+        what: says(`Stopped after step ${made} of ${steps}`),
         sub: sub ?? "Home the machine, then resume the wire or give it up.",
       };
     case "failed":
-      return { tone: "error", what: `Failed after step ${made} of ${steps}`, sub };
+      return { tone: "error", what: says(`Failed after step ${made} of ${steps}`), sub };
     case "abandoned":
-      return { tone: "info", what: `Given up after step ${made} of ${steps}`, sub };
+      return { tone: "info", what: says(`Given up after step ${made} of ${steps}`), sub };
   }
 }
 

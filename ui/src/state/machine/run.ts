@@ -21,7 +21,15 @@ import {
   type Question,
   type WireRun,
 } from "./operator";
-import { forgetRow, hearRow, setAccepted } from "./row";
+import { forgetRow, hearRow, setAccepted, useRow } from "./row";
+
+/** Which wire it is whose end is told. */
+export interface EndedAs {
+  /** The name of its design, where that is not what is open, as it is. */
+  readonly of: string | null;
+  /** It is one of several. */
+  readonly several: boolean;
+}
 
 interface RunStore {
   /** How the machine stands; null as long as none was connected. */
@@ -38,8 +46,7 @@ interface RunStore {
   readonly recorded: readonly Move[];
   /** What became of the wire that was bent last. */
   readonly ended: WireRun | null;
-  /** The name of the design that it was of, where that was not the open one as it is. */
-  readonly endedOf: string | null;
+  readonly endedAs: EndedAs;
   /** What was bent before, the last first; null before that is known. */
   readonly runs: readonly RunEntry[] | null;
   /** Null before they are known. */
@@ -60,7 +67,7 @@ export const useRun = create<RunStore>()(() => ({
   refusedLine: null,
   recorded: [],
   ended: null,
-  endedOf: null,
+  endedAs: { of: null, several: false },
   runs: null,
   ports: null,
   portProblem: null,
@@ -85,6 +92,17 @@ const OVER: ReadonlySet<Phase> = new Set(["stopping", "stopped", "failed", "clos
 /** How many states were reported: an answer that one has overtaken is older than what is known. */
 let heard = 0;
 
+function endedAs(
+  { job_hash, wires }: Extract<OperatorEvent, { event: "run-ended" }>,
+  state: MachineState | null,
+): EndedAs {
+  const wire = state?.wire?.job_hash === job_hash ? state.wire : null;
+  return {
+    of: wire && !isOfDesign(job_hash) ? wire.name : null,
+    several: useRow.getState().rest.length > 0 || (wires.at(-1)?.wire ?? 0) > 0,
+  };
+}
+
 /** Takes the state of an answer, unless a newer one was reported while it was on its way. */
 function standAsAnswered(state: MachineState | null, before: number): void {
   if (heard === before) stand(state);
@@ -96,7 +114,7 @@ function stand(state: MachineState | null): void {
     between: state?.busy === true && !isInWire(state.phase) && !OVER.has(state.phase) && isBending(before),
     question: state?.question === undefined ? before.question : state.question,
   }));
-  if (state && (isInWire(state.phase) || state.phase === "armed")) showWire();
+  if (state?.wire && (isInWire(state.phase) || state.phase === "armed")) showWire();
   else if (state?.wire && state.question?.doubt) void showDoubt(state.wire, state.question.doubt);
   else endLive();
 }
@@ -158,11 +176,8 @@ export function hearOperator(event: OperatorEvent): void {
     case "run-ended":
       // The notes of a wire that was bent were shown on the way.
       if (event.wires.length === 0) for (const note of event.notes) tell("warning", errorText(note), note.code);
-      useRun.setState(({ state }) => ({
-        ended: event.wires.at(-1) ?? null,
-        endedOf: state?.wire && !isOfDesign(state.wire.job_hash) ? state.wire.name : null,
-      }));
       hearRow(event);
+      useRun.setState(({ state }) => ({ ended: event.wires.at(-1) ?? null, endedAs: endedAs(event, state) }));
       if (event.wires.at(-1)?.outcome === "made") showMade();
       break;
     case "stopped":

@@ -78,12 +78,13 @@ export const usePlayback = create<PlaybackStore>()(() => ({
 /** What to say of the wire that a machine bends, or is armed for, where that is not one of what is open; null where it is, or where there is none. */
 export function useOtherWire(armed: boolean): string | null {
   const name = usePlayback(({ otherWire }) => otherWire);
-  const own = useDesign(({ state }) => state?.name ?? "");
+  const design = useDesign(({ state }) => state?.name ?? "");
   const file = useRunFile((run) => run.file);
   if (name === null) return null;
   const whose = name || "a design without a name";
+  const own = file ? file.name.replace(/\.[^.]*$/, "") : design;
   const other = file ? "which is not the file that is open" : "which is not the open design";
-  const why = !file && name === own ? "armed before these changes" : other;
+  const why = name !== "" && name === own ? "armed before these changes" : other;
   return armed ? `Start bends the wire of ${whose}, ${why}.` : `This is the wire of ${whose}, ${why}. It is not shown.`;
 }
 
@@ -315,8 +316,10 @@ export async function showDoubt(
 
 /** Finds whether the wire that a machine is armed for is one of the open design as it is. Nothing is shown of it before it is begun. */
 export async function lookAtArmed({ job_hash, name }: Pick<WireState, "job_hash" | "name">): Promise<void> {
-  if (usePlayback.getState().live) endLive();
+  // What was asked of a wire before, armed or bent, is no answer for this one.
+  over += 1;
   const before = over;
+  if (usePlayback.getState().live) usePlayback.setState({ live: false });
   if (!isUpToDate() && !(await makeProgram()) && !isUpToDate()) return;
   if (before === over) usePlayback.setState({ otherWire: isOfDesign(job_hash) ? null : name });
 }

@@ -10,12 +10,14 @@ import { useDesign } from "../design/design";
 interface RunFileStore {
   /** Null: the design is shown and run. */
   readonly file: RunFileReport | null;
+  /** How often another one was opened, or it was closed. */
+  readonly opened: number;
 }
 
-export const useRunFile = create<RunFileStore>()(() => ({ file: null }));
+export const useRunFile = create<RunFileStore>()(() => ({ file: null, opened: 0 }));
 
 function took(now: RunFileNow | null): boolean {
-  if (now) useRunFile.setState({ file: now.file });
+  if (now) useRunFile.setState(({ opened }) => ({ file: now.file, opened: opened + 1 }));
   return now !== null;
 }
 
@@ -24,10 +26,13 @@ export async function openRunFile(path: string): Promise<boolean> {
   return took(await told(asking("open-run-file", { file: { file: path } })));
 }
 
-/** Has what is open checked with the profiles as they are; a job has its own in it. */
+/** Has what is open checked with the profiles as they are; a job has its own in it. What cannot be checked is closed. */
 export async function checkRunFile(): Promise<void> {
-  const { file } = useRunFile.getState();
-  if (file && file.kind !== "job") took(await told(asking("check-run-file", {})));
+  const { file, opened } = useRunFile.getState();
+  if (!file || file.kind === "job") return;
+  const now = await told(asking("check-run-file", {}));
+  if (!now) await loadRunFile();
+  else if (useRunFile.getState().opened === opened) useRunFile.setState({ file: now.file });
 }
 
 /** The design is shown and run again. */
@@ -42,7 +47,7 @@ export async function loadRunFile(): Promise<void> {
 
 /** It was closed with the design that was open. */
 export function forgetRunFile(): void {
-  if (useRunFile.getState().file) useRunFile.setState({ file: null });
+  if (useRunFile.getState().file) took({ file: null });
 }
 
 /** The machine of what is run: that of the file, or of the design. */

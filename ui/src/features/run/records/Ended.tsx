@@ -2,7 +2,6 @@ import { useEffect, useRef } from "react";
 import { useUnit } from "../../../shared/figures/unit";
 import { Line } from "../../../shared/lists/Line";
 import { dismissAll, tell } from "../../../state/asking/problems";
-import { useRow } from "../../../state/machine/row";
 import { useRun } from "../../../state/machine/run";
 import { useUnits } from "../../../state/window/units";
 import { endedPhrase } from "../phrases";
@@ -18,8 +17,8 @@ function inSight(line: Element): boolean {
 
 /** What became of the wire that was bent last. */
 export function Ended() {
-  const { ended, endedOf } = useRun();
-  const several = useRow(({ rest }) => rest.length > 0);
+  const ended = useRun((run) => run.ended);
+  const endedAs = useRun((run) => run.endedAs);
   const unit = useUnit();
   const line = useRef<HTMLUListElement>(null);
   useEffect(() => {
@@ -29,12 +28,12 @@ export function Ended() {
       line.current.scrollIntoView({ block: "nearest" });
       return;
     }
-    const { tone, what, sub } = endedPhrase(ended, useUnits.getState().unit, endedOf, several);
+    const { tone, what, sub } = endedPhrase(ended, useUnits.getState().unit, endedAs);
     tell(tone === "error" || tone === "warning" ? tone : "info", sub ? `${what}. ${sub}` : `${what}.`, ENDED);
     return () => dismissAll(ENDED);
-  }, [ended, endedOf, several]);
+  }, [ended, endedAs]);
   if (!ended) return null;
-  const { tone, what, sub } = endedPhrase(ended, unit, endedOf, several);
+  const { tone, what, sub } = endedPhrase(ended, unit, endedAs);
   return (
     <ul ref={line} aria-live="polite">
       <Line tone={tone} what={what} sub={sub} />
