@@ -21,7 +21,7 @@ const RESUME: ErrorRemedy = {
   remedy: "resume-run",
   run: { job: null, port: null, wire: 0, machine: null, material: null },
 };
-const PROSPECT = { program: true, feasible: true, file: null };
+const PROSPECT = { machine: "wirebend-kit", program: true, feasible: true, file: null };
 const state = machineState("stopped", "home", "resume-run");
 const toArm = { why: null, arm: vi.fn() };
 const acts = (remedies: readonly ErrorRemedy[], of = state) => actsOf(remedies, of, buttons(of, PROSPECT), toArm);

@@ -9,7 +9,7 @@ const because = (phase: Phase, order: OrderName, why: Because, ...can: OrderName
   cannot: refused("busy", ...can).map((each) => (each.order === order ? { order, because: why } : each)),
 });
 
-const READY = { program: true, feasible: true, file: null };
+const READY = { machine: "wirebend-kit", program: true, feasible: true, file: null };
 
 describe("buttons", () => {
   it("lets nothing but connecting be done without a machine, and says why", () => {
@@ -50,6 +50,18 @@ describe("buttons", () => {
     });
   });
 
+  it("arms no other machine than that of the wire", () => {
+    const ready = state("ready", "arm", "dry-run", "home");
+    const other = "The wire is for another machine than the one that is connected.";
+    expect(buttons(ready, { ...READY, machine: "grbl-bender" })).toMatchObject({
+      arm: other,
+      dryRun: other,
+      next: null,
+      home: null,
+    });
+    expect(buttons(ready, { ...READY, machine: null })).toMatchObject({ arm: null, next: "arm" });
+  });
+
   it("goes by what the machine's state says that it can do, and why not, in every phase", () => {
     const phases = ["connected", "homing", "ready", "armed", "making", "failed", "closed"] as const;
     for (const phase of phases) {
@@ -67,13 +79,11 @@ describe("buttons", () => {
 
   it("arms nothing that cannot be made", () => {
     const ready = state("ready", "arm", "home");
-    expect(buttons(ready, { program: false, feasible: false, file: null })).toMatchObject({
+    expect(buttons(ready, { ...READY, program: false, feasible: false })).toMatchObject({
       arm: "There is no program to run: see Check.",
       next: null,
     });
-    expect(buttons(ready, { program: true, feasible: false, file: null }).arm).toBe(
-      "The machine cannot make the design: see Check.",
-    );
+    expect(buttons(ready, { ...READY, feasible: false }).arm).toBe("The machine cannot make the design: see Check.");
   });
 
   it("has one button to pause and to resume", () => {

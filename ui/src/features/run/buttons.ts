@@ -10,6 +10,8 @@ type Why = string | null;
 
 /** The wire that would be armed. */
 export interface Prospect {
+  /** The machine that it is for; null where there is none. */
+  readonly machine: string | null;
   /** Whether there is a design with a program, and whether the machine can make it. */
   readonly program: boolean;
   readonly feasible: boolean;
@@ -86,10 +88,13 @@ function whyNoWire({ program, feasible, file }: Prospect): Why {
 export function buttons(state: MachineState | null, prospect: Prospect): RunButtons {
   const why = (order: OrderName): Why => whyNot(state, order);
   const noWire = whyNoWire(prospect);
+  // Whatever a person wants all the same: the machine would refuse it.
+  const isOther = state !== null && prospect.machine !== null && state.machine !== prospect.machine;
+  const other = isOther ? "The wire is for another machine than the one that is connected." : null;
   const pause = state?.phase === "holding" ? "resume" : "pause";
   return {
     home: why("home"),
-    arm: why("arm") ?? noWire,
+    arm: why("arm") ?? other ?? noWire,
     noWire,
     start: why("start"),
     disarm: why("disarm"),
@@ -99,11 +104,11 @@ export function buttons(state: MachineState | null, prospect: Prospect): RunButt
     resumeRun: why("resume-run"),
     abandon: why("abandon"),
     replay: why("replay"),
-    dryRun: why("dry-run") ?? noWire,
+    dryRun: why("dry-run") ?? other ?? noWire,
     writeSettings: why("write-settings"),
     console: why("console"),
     disconnect: why("disconnect"),
-    next: next(state?.phase ?? "closed", (order) => why(order) === null, noWire === null),
+    next: next(state?.phase ?? "closed", (order) => why(order) === null, noWire === null && !isOther),
   };
 }
 

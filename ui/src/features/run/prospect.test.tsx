@@ -26,9 +26,9 @@ it("refuses to arm what Check refuses, a collision as well as what is beyond a l
   const seen = () => JSON.parse(at.host.textContent ?? "");
   useDesign.setState({ edges: new Map([[0, { id: 0, a: 0, b: 1 }]]), limits, check: limits });
   at.show(<Shown />);
-  expect(seen()).toEqual({ program: true, feasible: true, file: null });
+  expect(seen()).toEqual({ machine: null, program: true, feasible: true, file: null });
   act(() => useDesign.setState({ check: { ...limits, feasible: false } }));
-  expect(seen()).toEqual({ program: true, feasible: false, file: null });
+  expect(seen()).toEqual({ machine: null, program: true, feasible: false, file: null });
 });
 
 it("knows of a refusal that the checks, which were stopped, did not foresee, until the design changes", async () => {
