@@ -1,6 +1,7 @@
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { Editor, until } from "../../support/editor.ts";
 import { type Place, Sight } from "../../support/sight.ts";
+import { atRest } from "../../support/still.ts";
 
 let editor: Editor;
 beforeAll(async () => {
@@ -93,6 +94,8 @@ it("measures to corners and places of the stencil, in the unit that is shown", a
   await dialog.getByLabel("Unit").selectOption("mm");
   await dialog.getByRole("button", { name: "Open" }).click();
   await editor.section("trace").getByText("2 faces").first().waitFor();
+  // The view has it a moment later: what it frames before is nothing.
+  await atRest(editor.page);
   sight = await Sight.from(editor.page, "front", PLATE);
   await press("u");
   await click([0, 0, 0]);
