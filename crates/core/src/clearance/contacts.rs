@@ -12,18 +12,13 @@ use super::stroke::Phase;
 use super::wire::Clearance;
 use crate::units::Length;
 
-/// How contacts are looked for, from one step to the next.
-struct Look {
-    kind: MeetsAs,
-    margin: Length,
-    /// What was met in the step before.
-    met: Vec<Obstacle>,
-}
-
-impl Look {
-    const fn new(kind: MeetsAs, margin: Length) -> Self {
-        Self { kind, margin, met: Vec::new() }
-    }
+/// What was met in the step before, in each of the ways that are looked for: what is near in one step must not hide what is hit in a later
+/// one, nor a touch what goes through the middle.
+#[derive(Default)]
+struct Met {
+    near: Vec<Obstacle>,
+    hit: Vec<Obstacle>,
+    through: Vec<Obstacle>,
 }
 
 /// Adds a contact to the first ones: of each thing the first of the severest kind is kept.
@@ -64,55 +59,63 @@ impl Clearance<'_> {
         steps: Range<usize>,
         mut goes_on: impl FnMut(usize) -> bool,
     ) -> Option<Vec<FirstContact>> {
-        let margin = self.wire.margin;
-        // What is near in one step must not hide what is hit in a later one, nor a touch what goes through the middle.
-        let middle = Length::computed(-self.wire.diameter.mm() / 2.0);
-        let mut looks = vec![Look::new(MeetsAs::Hit, Length::ZERO), Look::new(MeetsAs::Through, middle)];
-        if margin > Length::ZERO {
-            looks.push(Look::new(MeetsAs::Near, margin));
-        }
+        let mut met = Met::default();
         if let Some(before) = steps.start.checked_sub(1) {
             // What it meets already is no new contact.
-            self.look(&mut looks, before, |_, _| {});
+            self.look(&mut met, before, |_, _| {});
         }
         let mut found: Vec<FirstContact> = Vec::new();
         for step in steps {
             if !goes_on(step) {
                 return None;
             }
-            self.look(&mut looks, step, |kind, contact| {
+            self.look(&mut met, step, |kind, contact| {
                 add(&mut found, FirstContact { contact, depth: Length::ZERO, later: 0, kind });
             });
         }
         Some(found)
     }
 
-    /// Takes the contacts of a step, look by look; the steps are asked for in order. What goes through the middle is met where it is touched,
-    /// if that is in the same step.
-    fn look(&mut self, looks: &mut [Look], step: usize, mut take: impl FnMut(MeetsAs, Contact)) {
+    /// Takes the contacts of a step, however they meet; the steps are asked for in order.
+    fn look(&mut self, met: &mut Met, step: usize, mut take: impl FnMut(MeetsAs, Contact)) {
         let margin = self.wire.margin;
-        let (mut hits_stock, mut touch) = (false, None);
-        for look in looks {
-            self.wire.margin = look.margin;
-            std::mem::swap(&mut self.met, &mut look.met);
-            let contacts = match look.kind {
-                MeetsAs::Through if !hits_stock => {
-                    self.met.clear();
-                    Vec::new()
-                }
-                MeetsAs::Through => self.contacts_with(step, |obstacle| obstacle == Obstacle::Stock),
-                MeetsAs::Near | MeetsAs::Hit => self.contacts_of(step),
-            };
-            hits_stock |= look.kind == MeetsAs::Hit && self.met.contains(&Obstacle::Stock);
-            std::mem::swap(&mut self.met, &mut look.met);
-            for contact in contacts {
-                if look.kind == MeetsAs::Hit && contact.obstacle == Obstacle::Stock {
-                    touch = Some(contact);
-                }
-                take(look.kind, touch.filter(|_| look.kind == MeetsAs::Through).unwrap_or(contact));
+        let middle = Length::computed(-self.wire.diameter.mm() / 2.0);
+        let hits = self.within(Length::ZERO, &mut met.hit, step, |_| true);
+        let mut through = Vec::new();
+        if met.hit.contains(&Obstacle::Stock) {
+            through = self.within(middle, &mut met.through, step, |obstacle| obstacle == Obstacle::Stock);
+        } else {
+            met.through.clear();
+        }
+        let touch = hits.iter().copied().find(|contact| contact.obstacle == Obstacle::Stock);
+        for contact in hits {
+            take(MeetsAs::Hit, contact);
+        }
+        for contact in through {
+            // It is met where it is touched, if that is in the same step.
+            take(MeetsAs::Through, touch.unwrap_or(contact));
+        }
+        if margin > Length::ZERO {
+            for contact in self.within(margin, &mut met.near, step, |_| true) {
+                take(MeetsAs::Near, contact);
             }
         }
-        self.wire.margin = margin;
+    }
+
+    /// The contacts of a step with another margin, of what was not met so in the step before.
+    fn within(
+        &mut self,
+        margin: Length,
+        met: &mut Vec<Obstacle>,
+        step: usize,
+        asks_of: impl Fn(Obstacle) -> bool,
+    ) -> Vec<Contact> {
+        let own = std::mem::replace(&mut self.wire.margin, margin);
+        std::mem::swap(&mut self.met, met);
+        let contacts = self.contacts_with(step, asks_of);
+        std::mem::swap(&mut self.met, met);
+        self.wire.margin = own;
+        contacts
     }
 
     /// The first contacts of the whole wire, from those of its parts in the order of their steps.
