@@ -151,6 +151,7 @@ codes! {
     NothingBegun = "nothing-begun",
     NothingRecorded = "nothing-recorded",
     NothingToRevert = "nothing-to-revert",
+    NothingUnfinished = "nothing-unfinished",
     NowhereToRecord = "nowhere-to-record",
     NowhereToTrust = "nowhere-to-trust",
     OffZero = "off-zero",

@@ -1931,6 +1931,7 @@ export type ErrorCode =
   | "nothing-begun"
   | "nothing-recorded"
   | "nothing-to-revert"
+  | "nothing-unfinished"
   | "nowhere-to-record"
   | "nowhere-to-trust"
   | "off-zero"

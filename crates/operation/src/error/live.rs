@@ -177,8 +177,11 @@ pub enum LiveProblem {
         /// Their indices, from 0.
         wires: Vec<usize>,
     },
-    /// Nothing of the job was begun, or nothing is left to be given up.
-    #[error("no wire of this job {}", if *input == InputName::Abandon { "is unfinished" } else { "was begun" })]
+    /// Nothing is left to be given up.
+    #[error("no wire of this job is unfinished")]
+    NothingUnfinished,
+    /// Nothing of the job was begun.
+    #[error("no wire of this job was begun")]
     NothingBegun {
         /// What was asked for.
         input: InputName,

@@ -26,6 +26,7 @@ impl LiveProblem {
             | Self::SeveralUnfinished { .. }
             | Self::WireInMachine { .. }
             | Self::NothingBegun { .. }
+            | Self::NothingUnfinished
             | Self::NotSimulated { .. }
             | Self::InDoubt { .. }
             | Self::OtherStep { .. }
@@ -88,6 +89,7 @@ impl LiveProblem {
             Self::SeveralUnfinished { .. } => ErrorCode::SeveralUnfinished,
             Self::NotSimulated { .. } => ErrorCode::NotSimulated,
             Self::NothingBegun { .. } => ErrorCode::NothingBegun,
+            Self::NothingUnfinished => ErrorCode::NothingUnfinished,
             Self::InDoubt { .. } => ErrorCode::InDoubt,
             Self::OtherStep { .. } => ErrorCode::OtherStep,
             Self::NotCounted { .. } => ErrorCode::NotCounted,

@@ -44,6 +44,7 @@ impl LiveProblem {
             Self::DamagedJournal { run, .. } => vec![R::AbandonRun { run: run.clone() }],
             Self::NotSimulated { .. } => vec![R::LeaveOut { inputs: vec![InputName::SimulatedAs] }],
             Self::NothingBegun { input } => vec![R::LeaveOut { inputs: vec![*input] }],
+            Self::NothingUnfinished => vec![R::LeaveOut { inputs: vec![InputName::Abandon] }],
             Self::InDoubt { doubt, run } => {
                 vec![R::AnswerDoubt { run: run.clone(), step: doubt.step, counted: doubt.counted.is_some() }]
             }

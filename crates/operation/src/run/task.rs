@@ -286,11 +286,11 @@ impl<'a> Task<'a> {
     /// Gives up what was interrupted. Nothing moves.
     pub fn abandon(&self) -> Result<RunResponse, OperationError> {
         let mut response = self.response();
-        let mut set_aside = false;
+        let (mut set_aside, mut is_over) = (false, false);
         for wire in self.wanted() {
             let Some(StoredRun { id, path, read }) = self.last(wire)? else { continue };
             match read {
-                Ok(written) if written.state.is_over() => {}
+                Ok(written) if written.state.is_over() => is_over = true,
                 Ok(written) => {
                     let (made, done_by) = (written.state.done, written.state.heading.done_by);
                     self.give_up(&path)?;
@@ -318,7 +318,8 @@ impl<'a> Task<'a> {
             }
         }
         if response.wires.is_empty() && !set_aside {
-            return Err(LiveProblem::NothingBegun { input: InputName::Abandon }.into());
+            let begun = LiveProblem::NothingBegun { input: InputName::Abandon };
+            return Err(if is_over { LiveProblem::NothingUnfinished } else { begun }.into());
         }
         Ok(response)
     }
