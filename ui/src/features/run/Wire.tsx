@@ -33,19 +33,13 @@ export function Wire({ state }: { readonly state: MachineState }) {
   const under = useRun(isBending);
   // What is set is for the next wire that is armed.
   const busy = under ? "A wire is being bent." : armed ? "The machine is armed. Disarm it to change this." : null;
-  const several = wires.length > 1;
+  const [one, several] = file
+    ? [`Wire of ${file.name}`, `Wires of ${file.name}`]
+    : ["Wire of the design", "Wires of the design"];
   return (
     <Part
       // Both are in sight, the file here and the design behind it: this says which of them is bent.
-      title={
-        armed && otherWire
-          ? "The wire that is armed"
-          : file
-            ? `${several ? "Wires" : "Wire"} of ${file.name}`
-            : several
-              ? "Wires of the design"
-              : "Wire of the design"
-      }
+      title={armed && otherWire ? "The wire that is armed" : wires.length > 1 ? several : one}
       aside={under || otherWire ? undefined : <span className="muted small">{loadPhrase(arming, long)}</span>}
     >
       {wires.length > 1 && (
