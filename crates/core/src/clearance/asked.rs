@@ -16,7 +16,7 @@ use super::zone::Touch;
 use crate::units::{Angle, Length};
 
 /// How exact distances are, mm.
-pub(super) const EXACT: f64 = 0.005;
+pub(super) const EXACT: f64 = 0.003;
 
 /// The strokes of a step.
 pub(super) struct Strokes {

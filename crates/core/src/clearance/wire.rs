@@ -17,7 +17,7 @@ use crate::motion::poses;
 use crate::units::{Angle, Length};
 
 /// How far a chord may be from the arc that it stands for, mm.
-const CHORD: f64 = 0.005;
+const CHORD: f64 = 0.0025;
 /// What hangs is straight for so long at most, mm.
 const HANGING_PIECE: f64 = 25.0;
 
