@@ -1,6 +1,6 @@
 //! How near the wire in the bender comes to things.
 
-use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3, center};
+use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3, center};
 use wirebend_collide::{Solid, to_solid};
 use wirebend_core::bend::Step;
 use wirebend_core::clearance::{Body, MovesWith, Obstacle, Passage, Phase};
@@ -8,7 +8,7 @@ use wirebend_core::plan::Machine;
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::VertexId;
 
-use super::Bender;
+use super::{Bender, Ran};
 
 /// How exact distances are, mm.
 const EXACT: f64 = 1e-4;
@@ -19,7 +19,7 @@ impl Bender<'_> {
         let zone = body.vertex_zone.mm();
         let mut may_touch = Vec::new();
         if body.contact_zone.mm() > 0.0 {
-            may_touch = self.may_touch(phase, zone);
+            may_touch = self.may_touch(phase, |_, _| zone);
             may_touch.push([self.out - body.contact_zone.mm(), f64::INFINITY]);
         }
         self.nearest(&body.solid, &self.placed(body), &may_touch)
@@ -31,26 +31,62 @@ impl Bender<'_> {
         let half_length = (self.stock / 2.0).max(0.0);
         let lie = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), std::f64::consts::FRAC_PI_2);
         let at = Isometry3::from_parts(Translation3::new(-half_length, 0.0, 0.0), lie);
-        self.nearest(&Solid::Capsule { radius, half_length }, &at, &self.may_touch(phase, f64::INFINITY))
+        let may_touch = self.may_touch(phase, |ran, end| {
+            if phase == Phase::Bend && !self.overbent { self.beside_stock(ran, end) } else { f64::INFINITY }
+        });
+        self.nearest(&Solid::Capsule { radius, half_length }, &at, &may_touch)
+    }
+
+    /// How much of a strut lies so near to where the stock is before or after the bend that they touch there. `end`: at which of its ends.
+    fn beside_stock(&self, ran: &Ran, end: usize) -> f64 {
+        let begin = self.corners[ran.step];
+        let way = (self.corners[ran.step + 1] - begin).normalize();
+        let (strut, vertex) = if end == 0 { (way, ran.passage.from) } else { (-way, ran.passage.to) };
+        let bends_at = self.passages.get(self.step + 1).and_then(|next| next.first());
+        let [before, after] = self.stock_goes.map(|goes| strut.angle(&goes));
+        let right = std::f64::consts::FRAC_PI_2;
+        // It goes out from where it bends, and on beyond where it comes to.
+        let angle = if bends_at.is_some_and(|(passage, _)| passage.from == vertex) {
+            before.min(after).min(right)
+        } else {
+            after.min(2.0 * right - after)
+        };
+        let touch = self.machine.wire.diameter.mm() + self.margin;
+        let at = begin + way * ran.from_corner[end];
+        let missed = (at - self.stock_at(vertex)).norm();
+        ran.arcs[end].max((touch + missed) / angle.sin() + touch)
+    }
+
+    /// Where the stock has a vertex of the edges that come next, once it is bent.
+    fn stock_at(&self, vertex: VertexId) -> Point3<f64> {
+        let mut at = self.corners[self.step + 1];
+        for (passage, length) in &self.passages[self.step + 1] {
+            if passage.from == vertex {
+                break;
+            }
+            at += self.stock_goes[1] * length.mm();
+        }
+        at
     }
 
     /// Struts may touch within a zone of the vertices of the edges that are fed, or of those that come next once it bends; those
     /// that run along the same edges lie beside them.
-    fn may_touch(&self, phase: Phase, zone: f64) -> Vec<[f64; 2]> {
+    fn may_touch(&self, phase: Phase, zone: impl Fn(&Ran, usize) -> f64) -> Vec<[f64; 2]> {
         let edges = |step: usize| self.passages.get(step).map_or(&[][..], Vec::as_slice);
         let (own, next) = (edges(self.step), edges(self.step + 1));
         let coming = if matches!(phase, Phase::Feed | Phase::Rotate) { own } else { next };
         let is_end = |vertex: VertexId| coming.iter().any(|(one, _)| one.from == vertex || one.to == vertex);
         let mut may = Vec::new();
-        for &(passage, [from, to]) in &self.passed {
+        for ran in &self.passed {
+            let Ran { passage, along: [from, to], .. } = *ran;
             if own.iter().chain(next).any(|(one, _)| one.edge == passage.edge) {
                 may.push([from, to]);
             }
             if is_end(passage.from) {
-                may.push([from, to.min(from + zone)]);
+                may.push([from, to.min(from + zone(ran, 0))]);
             }
             if is_end(passage.to) {
-                may.push([from.max(to - zone), to]);
+                may.push([from.max(to - zone(ran, 1)), to]);
             }
         }
         if phase == Phase::Feed {

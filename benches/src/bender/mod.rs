@@ -26,6 +26,19 @@ struct Piece {
     along: [f64; 2],
 }
 
+/// An edge that the wire has run along.
+#[derive(Clone, Copy)]
+struct Ran {
+    passage: Passage,
+    /// The length of the wire at its ends, mm.
+    along: [f64; 2],
+    /// In which step, and how far from the corner at which that begins, mm.
+    step: usize,
+    from_corner: [f64; 2],
+    /// How much of it are the arcs at its ends, mm.
+    arcs: [f64; 2],
+}
+
 /// The machine with the wire in it.
 pub struct Bender<'a> {
     machine: &'a Machine,
@@ -38,8 +51,11 @@ pub struct Bender<'a> {
     out: f64,
     /// What each step runs along, with lengths.
     passages: Vec<Vec<(Passage, Length)>>,
-    /// What the wire has run along, with its length at both ends.
-    passed: Vec<(Passage, [f64; 2])>,
+    passed: Vec<Ran>,
+    /// Where the stock goes from the bend before and after it, as the part sees it.
+    stock_goes: [Vector3<f64>; 2],
+    /// How far things have to stay from each other, mm.
+    margin: f64,
     /// The step that is run.
     step: usize,
     /// The length of the wire at the middle of the arc before.
@@ -50,6 +66,8 @@ pub struct Bender<'a> {
     head: f64,
     /// Radians about the head's z.
     axis: f64,
+    /// Whether the wire is bent beyond what stays.
+    overbent: bool,
     peg_in: f64,
     /// What is left to be fed, and the tail.
     stock: f64,
@@ -82,11 +100,14 @@ impl<'a> Bender<'a> {
             out: 0.0,
             passages,
             passed: Vec::new(),
+            stock_goes: [-Vector3::x(); 2],
+            margin: 0.0,
             step: 0,
             corner: 0.0,
             stride,
             head: 0.0,
             axis: 0.0,
+            overbent: false,
             peg_in: machine.bodies.peg_stroke.mm(),
             stock: fed(machine, steps) + machine.limits.tail.value.mm(),
             bend_before: 0.0,
@@ -98,6 +119,13 @@ impl<'a> Bender<'a> {
     #[must_use]
     pub fn with_axes(mut self, goes: Vec<Option<[f64; 2]>>) -> Self {
         self.goes = goes;
+        self
+    }
+
+    /// The same with how far things have to stay from each other, mm.
+    #[must_use]
+    pub const fn with_margin(mut self, margin: f64) -> Self {
+        self.margin = margin;
         self
     }
 
@@ -139,7 +167,7 @@ impl<'a> Bender<'a> {
         let [from, to] = [fed, radius * size].map(|x| Point3::new(x, 0.0, 0.0));
         self.pieces.push(Piece { ends: [from, to], along: [self.out, self.out + straight] });
         self.out += straight;
-        self.pass(self.out + radius * size / 2.0);
+        self.pass(self.out, [self.bend_before, size].map(|bend| radius * bend / 2.0));
         let ahead = Point3::new(radius * size - corner(size), 0.0, 0.0);
         self.corners.push(self.wire.inverse() * ahead);
         let from = self.head;
@@ -157,14 +185,24 @@ impl<'a> Bender<'a> {
         self.step += 1;
     }
 
-    /// It has run along the passages of a step, up to the middle of the arc at their end.
-    fn pass(&mut self, corner: f64) {
-        let whole: f64 = self.passages[self.step].iter().map(|(_, length)| length.mm()).sum();
-        let mut from = self.corner;
-        for (passage, length) in &self.passages[self.step] {
+    /// It has run along the passages of a step, up to the middle of the arc at their end. `arcs`: half of those at both ends.
+    fn pass(&mut self, straight_end: f64, arcs: [f64; 2]) {
+        let corner = straight_end + arcs[1];
+        let own = &self.passages[self.step];
+        let whole: f64 = own.iter().map(|(_, length)| length.mm()).sum();
+        let (mut from, mut ran) = (self.corner, 0.0);
+        for (k, (passage, length)) in own.iter().enumerate() {
             let to = from + (corner - self.corner) * length.mm() / whole;
-            self.passed.push((*passage, [from, to]));
-            from = to;
+            let from_corner = [ran, ran + length.mm()];
+            let arcs = [if k == 0 { arcs[0] } else { 0.0 }, if k + 1 == own.len() { arcs[1] } else { 0.0 }];
+            self.passed.push(Ran {
+                passage: *passage,
+                along: [from, to],
+                step: self.step,
+                from_corner,
+                arcs,
+            });
+            (from, ran) = (to, from_corner[1]);
         }
         self.corner = corner;
     }
@@ -184,6 +222,9 @@ impl<'a> Bender<'a> {
         // How far from beside straight wire it touches, and ends.
         let [first, last] = [(0.0, touch), (pressed, end)]
             .map(|(bent, axis)| beside(bent).map_or(0.0, |beside| axis - beside));
+        let axis = Rotation3::from_axis_angle(&Vector3::x_axis(), self.head) * Vector3::z_axis();
+        let unbent = Rotation3::from_axis_angle(&axis, -side * size) * -Vector3::x();
+        self.stock_goes = [-Vector3::x(), unbent].map(|goes| self.wire.inverse() * goes);
         let rest = self.peg_in;
         self.swing([0.0, begin], Phase::Approach, also, see);
         self.slide([rest, 0.0], Phase::PegOut, also, see);
@@ -198,8 +239,10 @@ impl<'a> Bender<'a> {
             self.turn(side, f64::midpoint(bent, next), next - bent);
             let axis = beside(next).filter(|_| part < 1.0).map(|axis| axis + first + (last - first) * part);
             (bent, self.axis) = (next, axis.unwrap_or(end));
+            self.overbent = bent > size;
             see((Phase::Bend, part), self);
         }
+        self.overbent = false;
         for part in self.parts((end - begin).abs() / TURN, Phase::Release, also) {
             let next = pressed + (size - pressed) * part;
             self.turn(side, f64::midpoint(bent, next), next - bent);

@@ -24,22 +24,35 @@ pub(super) struct Strokes {
     in_parts: Vec<Stroke>,
     /// For all others.
     whole: Vec<Stroke>,
+    /// For the stock: a bend up to what is left in the wire, and from there on.
+    split: Vec<Stroke>,
 }
 
 impl Strokes {
     pub fn new(clearance: &Clearance, moves: &Moves) -> Self {
         let peg = clearance.bend.setback.as_ref();
         let [in_parts, whole] = [true, false].map(|parts| strokes(moves, clearance.bodies, peg, parts));
-        Self { in_parts, whole }
+        let split = whole.iter().copied().flat_map(Stroke::split).collect();
+        Self { in_parts, whole, split }
     }
 
-    /// Those in which a body moves past the wire, those of a phase together.
-    pub fn past(&self, body: MovesWith) -> impl Iterator<Item = &[Stroke]> {
-        let all = if body == MovesWith::Peg { &self.in_parts } else { &self.whole };
-        let same = move |one: &Stroke, other: &Stroke| {
-            one.phase == other.phase && one.moves(body) == other.moves(body)
+    /// Those in which an obstacle moves past the wire, those of a phase together.
+    pub fn past(&self, (obstacle, body): (Obstacle, &Body)) -> impl Iterator<Item = &[Stroke]> {
+        let moves_with = body.moves_with;
+        let all = match (obstacle, moves_with) {
+            (Obstacle::Stock, _) => &self.split,
+            (_, MovesWith::Peg) => &self.in_parts,
+            _ => &self.whole,
         };
-        all.chunk_by(same).filter(move |phase| phase[0].moves(body))
+        let parted = move |one: &Stroke, other: &Stroke| {
+            obstacle == Obstacle::Stock && one.overbends() != other.overbends()
+        };
+        let same = move |one: &Stroke, other: &Stroke| {
+            one.phase == other.phase
+                && one.moves(moves_with) == other.moves(moves_with)
+                && !parted(one, other)
+        };
+        all.chunk_by(same).filter(move |phase| phase[0].moves(moves_with))
     }
 }
 
@@ -67,7 +80,7 @@ impl<'a> Asked<'a> {
     /// The first contact with a body.
     pub fn first(&mut self, one: (Obstacle, &Body)) -> Option<(Stroke, Proximity)> {
         let strokes = self.strokes;
-        strokes.past(one.1.moves_with).find_map(|strokes| self.ask(one, strokes, EXACT, first_contact))
+        strokes.past(one).find_map(|strokes| self.ask(one, strokes, EXACT, first_contact))
     }
 
     /// What comes first of a question about a body and strokes of one phase: in which of them, and when.
@@ -97,8 +110,8 @@ impl<'a> Asked<'a> {
         take: &mut dyn FnMut((Stroke, Proximity)) -> ControlFlow<()>,
     ) {
         let clearance = self.clearance;
-        let Some(phase) = strokes.first().map(|stroke| stroke.phase) else { return };
-        let parts = self.counting(phase, obstacle, body);
+        let Some(first) = strokes.first() else { return };
+        let parts = self.counting(first, obstacle, body);
         let rooms = match obstacle {
             Obstacle::Body(index) => clearance.rooms[index],
             Obstacle::Stock => Rooms::new(body, clearance.bodies),
@@ -136,17 +149,24 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// The place of what counts of the wire.
-    fn counting(&mut self, phase: Phase, obstacle: Obstacle, body: &Body) -> usize {
-        let leg = &self.clearance.centreline.legs[self.step];
+    /// The place of what counts of the wire in a stroke.
+    fn counting(&mut self, stroke: &Stroke, obstacle: Obstacle, body: &Body) -> usize {
+        let Self { clearance, step, .. } = *self;
+        let phase = stroke.phase;
+        let leg = &clearance.centreline.legs[step];
         let out = if phase == Phase::Feed { leg.straight.from } else { leg.straight.to };
         let touch = match obstacle {
+            // A wire that is overbent presses on the vertices that it closes.
+            Obstacle::Stock if phase == Phase::Bend && !stroke.overbends() => {
+                let wire = &clearance.wire;
+                Touch::StockPassing { near: wire.diameter.mm() + wire.margin.mm().max(0.0) }
+            }
             Obstacle::Stock => Touch::Stock,
             Obstacle::Body(_) => Touch::Body { wire: body.contact_zone.mm(), vertex: body.vertex_zone.mm() },
         };
         let known = self.counting.iter().position(|(of, how, _)| (*of, *how) == (phase, touch));
         known.unwrap_or_else(|| {
-            let parts = self.clearance.passed.counting(self.step, phase, touch, out);
+            let parts = clearance.passed.counting(step, phase, touch, out);
             self.counting.push((phase, touch, parts));
             self.counting.len() - 1
         })

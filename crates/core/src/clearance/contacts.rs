@@ -191,7 +191,7 @@ impl Clearance<'_> {
         let radius = self.wire.diameter.mm() / 2.0;
         let deepest = |task: &Task| closest(task, radius, DEPTH_SHARE);
         let mut least = f64::INFINITY;
-        for strokes in asked.strokes().past(one.1.moves_with) {
+        for strokes in asked.strokes().past(one) {
             asked.answers(one, strokes, DEPTH_EXACT, deepest, &mut |(_, near)| {
                 least = least.min(near.distance);
                 ControlFlow::Continue(())

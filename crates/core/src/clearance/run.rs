@@ -68,7 +68,7 @@ impl Clearance<'_> {
         let stock = (Obstacle::Stock, self.stock.get(step)?);
         let all = [stock].into_iter().chain(sure).chain(estimated);
         all.filter(|(_, body)| part.concerns(body)).find_map(|one| {
-            let mut wanted = strokes.past(one.1.moves_with).filter(|strokes| part.has(strokes[0].phase));
+            let mut wanted = strokes.past(one).filter(|strokes| part.has(strokes[0].phase));
             wanted.any(|strokes| asked.ask(one, strokes, EXACT, first_contact).is_some()).then_some(one.0)
         })
     }

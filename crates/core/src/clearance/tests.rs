@@ -4,13 +4,14 @@ use wirebend_collide::Solid;
 
 use super::bender::{Bender, RADIUS};
 use super::*;
-use crate::bend::{Frame, Step, program_of_path};
+use crate::bend::{Frame, Step};
 use crate::compensate::BendModel;
 use crate::testing::{deg, mm, published_machine};
 use crate::units::{Angle, Length};
 use crate::wireframe::{EdgeId, VertexId};
 
 mod hanging;
+mod stock;
 
 const WIRE: StockWire = StockWire {
     diameter: Length::ZERO,
@@ -204,65 +205,6 @@ fn a_wire_bent_down_to_a_table_meets_it_at_the_angle_of_the_right_triangle() {
         low.to_degrees()
     );
     assert!(contact.leg == 0 && contact.along.mm() < 1e-6, "{contact:?}");
-}
-
-/// The contacts with the stock of a wire along points.
-fn with_stock(path: &[[f64; 3]], vertices: &[u32]) -> Vec<Deep> {
-    let path: Vec<Point3<f64>> = path.iter().copied().map(Point3::from).collect();
-    let (start, program) = program_of_path(&path, deg(1e-9)).unwrap();
-    let bodies = Bodies::default();
-    let bend = BendModel { springback: None, setback: None, axis_limit: None, before_zero: false };
-    let ends = |k: usize| [vertices[k], vertices[k + 1]];
-    let same = |j: usize, k: usize| ends(j) == ends(k) || ends(j) == [ends(k)[1], ends(k)[0]];
-    let passage = |k: usize| {
-        let edge = (0..k).find(|&j| same(j, k)).unwrap_or(k);
-        let [from, to] = ends(k).map(VertexId);
-        let edge = EdgeId(u32::try_from(edge).unwrap());
-        (Passage { edge, from, to }, Length::computed((path[k + 1] - path[k]).norm()))
-    };
-    let passages = program.spans.iter().map(|span| span.clone().map(passage).collect());
-    all_of(Clearance::new((start, &program.steps), None, passages.collect(), wire(), &bodies, &bend))
-}
-
-#[test]
-fn a_wire_that_is_drawn_through_itself_meets_the_stock_before_it_is_fed_there() {
-    // The fourth straight crosses the middle of the first one.
-    let path = [[0., 0., 0.], [100., 0., 0.], [100., 60., 0.], [50., 60., 0.], [50., -40., 0.]];
-    let found = with_stock(&path, &[0, 1, 2, 3, 4]);
-    let [contact] = &found[..] else { panic!("{found:?}") };
-    assert_eq!((contact.step, contact.leg, contact.phase), (2, 0, Phase::Bend));
-    assert_eq!(contact.obstacle, Obstacle::Stock);
-    // Centreline on centreline: as deep as the wire is thick.
-    assert!((contact.depth.mm() - 3.0).abs() < 0.2, "{contact:?}");
-}
-
-/// A strut lies along the stock when the wire begins to bend: the contact is there, and not at the end of the bend.
-#[test]
-fn what_is_met_when_a_bend_begins_is_met_at_its_begin() {
-    let path = [[0., 0., 0.], [100., 0., 0.], [60., 1., 0.], [60., 50., 0.]];
-    let found = with_stock(&path, &[0, 1, 2, 3]);
-    let contact =
-        found.iter().find(|contact| (contact.step, contact.phase) == (1, Phase::Bend)).expect("a contact");
-    assert_eq!((contact.bent, contact.leg), (Angle::ZERO, 0));
-    assert!(contact.passed < 0.5, "{contact:?}");
-}
-
-#[test]
-fn a_wire_that_passes_over_itself_by_more_than_its_diameter_meets_nothing() {
-    let path =
-        |over: f64| [[0., 0., 0.], [100., 0., 0.], [100., 60., over], [50., 60., over], [50., -40., over]];
-    assert!(with_stock(&path(3.1), &[0, 1, 2, 3, 4]).is_empty());
-    assert_eq!(with_stock(&path(2.5), &[0, 1, 2, 3, 4]).len(), 1);
-}
-
-#[test]
-fn struts_that_share_a_vertex_and_doubled_ones_do_not_meet() {
-    // A bow-tie through its middle, and a strut that is travelled twice.
-    let bow =
-        [[0., 0., 0.], [50., 50., 0.], [100., 100., 0.], [100., 0., 0.], [50., 50., 0.], [0., 100., 0.]];
-    assert!(with_stock(&bow, &[0, 1, 2, 3, 1, 4]).is_empty());
-    let twice = [[0., 0., 0.], [80., 0., 0.], [80., 80., 0.], [0., 0., 0.], [80., 0., 0.], [80., 0., 60.]];
-    assert!(with_stock(&twice, &[0, 1, 2, 0, 1, 3]).is_empty());
 }
 
 #[test]

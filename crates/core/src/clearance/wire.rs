@@ -9,7 +9,7 @@ use super::contact::Obstacle;
 use super::hang::Hanging;
 use super::rooms::Rooms;
 use super::stroke::{Moves, StepRun};
-use super::zone::{Passage, Passed};
+use super::zone::{Laid, Passage, Passed};
 use crate::bend::{Frame, Step};
 use crate::compensate::BendModel;
 use crate::estimate::WireModel;
@@ -95,7 +95,7 @@ impl<'a> Clearance<'a> {
             || steps.iter().map(axis).collect(),
             |told| told.iter().map(|step| step.bend).collect(),
         );
-        let passed = Passed::new(passages.into_iter().zip(corners(&centreline)));
+        let passed = Passed::new(passages.into_iter().zip(laid(&centreline, (start, steps))));
         let whole: f64 = centreline.legs.iter().map(super::centreline::Leg::fed).sum();
         let mut fed = 0.0;
         let stock = centreline
@@ -166,13 +166,21 @@ impl<'a> Clearance<'a> {
     }
 }
 
-/// For each leg the wire from the middle of the arc before it to the middle of the arc after it.
-fn corners(centreline: &Centreline) -> impl Iterator<Item = Interval> {
-    let mut before = 0.0;
-    centreline.legs.iter().map(move |leg| {
-        let part = Interval { from: before, to: leg.straight.to + leg.arc / 2.0 };
-        before = part.to;
-        part
+/// Where the straight part of each leg lies, up to the middle of the arcs on both sides.
+fn laid<'c>(
+    centreline: &'c Centreline,
+    (mut frame, steps): (Frame, &'c [Step]),
+) -> impl Iterator<Item = Laid> + 'c {
+    let (mut from, mut arc_before) = (0.0, 0.0);
+    centreline.legs.iter().zip(steps).map(move |(leg, step)| {
+        let (begin, arc) = (frame.position, leg.arc / 2.0);
+        frame.feed(step.feed);
+        let part = Interval { from, to: leg.straight.to + arc };
+        let laid = Laid { part, arcs: [arc_before, arc], corners: [begin, frame.position] };
+        frame.rotate(step.rotate);
+        frame.bend(step.bend);
+        (from, arc_before) = (part.to, arc);
+        laid
     })
 }
 

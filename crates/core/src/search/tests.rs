@@ -222,7 +222,7 @@ fn helps(wires: &[WirePlan]) -> Helps {
 /// the common edge twice, the wire may begin at the others.
 #[test]
 fn an_edge_that_helps_when_it_is_run_along_twice_is_named() {
-    let corners = [[40., 40., 0.], [60., 60., 100.], [80., 20., 0.], [20., 60., 60.]];
+    let corners = [[20., 60., 0.], [40., 80., 100.], [40., 100., 0.], [0., 60., 80.]];
     let triangles = wireframe(&corners, &[(1, 0), (2, 0), (3, 0), (3, 1), (3, 2)]);
     let walls = [
         body(MovesWith::Frame, [4.0, 400.0, 400.0], [100.0, 0.0, 0.0]),
