@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::bend::{NominalProgram, Step};
 use crate::clearance::{Clearance, Obstacle, StepPart, StepRun};
-use crate::schedule::{BendCost, ScheduledProgram, build, head_angles, nanoseconds};
+use crate::schedule::{BendCost, HeadLimits, ScheduledProgram, build, head_angles, nanoseconds};
 use crate::units::Angle;
 
 use super::Bender;
@@ -13,20 +13,32 @@ use super::Bender;
 const SURE: u64 = 1 << 32;
 const ESTIMATED: u64 = 1;
 
-/// How the part is turned about the axis of the wire: how the first bend is made.
+/// How the part stands about the axis of the wire.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Orientation {
-    /// Angle of the head during the first bend, as the schedule counts it.
-    pub head: Angle,
-    /// Whether that bend goes to the negative side.
-    pub flipped: bool,
+    /// The head's angle for a first bend that is not flipped, as the schedule counts it, up to whole turns.
+    pub unflipped: Angle,
 }
 
 impl Orientation {
+    /// As far as this about the wire from where the first bend is made at the reference.
+    pub fn of_degrees(degrees: f64) -> Self {
+        Self { unflipped: Angle::computed(degrees.to_radians()) }
+    }
+
+    /// On the other side of the wire.
+    pub fn opposite(self) -> Self {
+        Self { unflipped: (self.unflipped + Angle::HALF_TURN).wrapped() }
+    }
+
     /// How far the part is turned about +x of the machine, beside one whose first bend is made at the reference.
     pub fn turn(self) -> Angle {
-        let half = if self.flipped { Angle::HALF_TURN } else { Angle::ZERO };
-        half - self.head
+        -self.unflipped
+    }
+
+    /// Whether the head comes to where the first bend can be made.
+    pub fn is_reached(self, limits: &HeadLimits) -> bool {
+        !head_angles(self.unflipped, limits).is_empty()
     }
 }
 
@@ -73,7 +85,7 @@ pub(super) struct StepQuestion<'a> {
     /// Index of the step.
     pub index: usize,
     pub step: Step,
-    /// How the first bend is made, where this is it.
+    /// How the part stands, where this is the first bend.
     pub orientation: Option<Orientation>,
     /// Whether ways that meet something are kept, too.
     pub despite_contacts: bool,
@@ -87,16 +99,9 @@ impl StepQuestion<'_> {
         if self.step.bend == Angle::ZERO {
             return self.fed(before, &feeds);
         }
-        let unflipped = match self.orientation {
-            Some(Orientation { head, flipped }) => {
-                head + if flipped { Angle::HALF_TURN } else { Angle::ZERO }
-            }
-            None => (before.unflipped + self.step.rotate).wrapped(),
-        };
-        let ways = match self.orientation {
-            Some(Orientation { head, flipped }) => vec![(head, flipped)],
-            None => head_angles(unflipped, self.bender.head),
-        };
+        let follows = || (before.unflipped + self.step.rotate).wrapped();
+        let unflipped = self.orientation.map_or_else(follows, |orientation| orientation.unflipped);
+        let ways = head_angles(unflipped, self.bender.head);
         let cost = BendCost::new(self.step.bend, self.bender.seconds);
         let mut layer = Layer { unflipped, states: Vec::new(), obstacle: feeds.obstacle };
         let mut bends: [Option<Met>; 2] = [None, None];

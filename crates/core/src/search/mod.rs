@@ -250,18 +250,12 @@ fn ladder(most: usize) -> impl Iterator<Item = usize> {
     steps.take_while(move |&wires| wires < most).chain((most > 0).then_some(most))
 }
 
-/// How a wire may stand about its own axis: with the head at its reference for the first bend, to either side; and where `turned` says
-/// so, turned to the sides, too, as far as the head goes.
+/// How a wire may stand about its own axis: with the first bend at the head's reference, to either side; and where `turned` says so, turned
+/// to the sides, too, as far as the head reaches them.
 fn orientations(limits: &HeadLimits, turned: bool) -> Vec<Orientation> {
-    let orientation = |(degrees, flipped): (i32, bool)| Orientation {
-        head: Angle::computed(f64::from(degrees).to_radians()),
-        flipped,
-    };
-    let at_reference = [(0, false), (0, true)];
-    let aside = [45, -45, 90, -90, 135, -135].map(|degrees| (degrees, false));
-    let aside = aside.into_iter().filter(|_| turned);
-    let within = |orientation: &Orientation| orientation.head >= limits.min && orientation.head <= limits.max;
-    at_reference.into_iter().chain(aside).map(orientation).filter(within).collect()
+    let aside = [45.0, -45.0, 90.0, -90.0, 135.0, -135.0].into_iter().filter(|_| turned);
+    let all = [0.0, 180.0].into_iter().chain(aside).map(Orientation::of_degrees);
+    all.filter(|orientation| orientation.is_reached(limits)).collect()
 }
 
 /// So many times the steps of 45° are halved.
@@ -275,10 +269,7 @@ fn orientations_between(limits: &HeadLimits) -> Vec<Orientation> {
         let odd = std::iter::successors(Some(step), move |degrees| Some(degrees + 2.0 * step));
         odd.take_while(|&degrees| degrees < 180.0).flat_map(|degrees| [degrees, -degrees])
     });
-    let orientation =
-        |degrees: f64| Orientation { head: Angle::computed(degrees.to_radians()), flipped: false };
-    let within = |orientation: &Orientation| orientation.head >= limits.min && orientation.head <= limits.max;
-    between.map(orientation).filter(within).collect()
+    between.map(Orientation::of_degrees).filter(|orientation| orientation.is_reached(limits)).collect()
 }
 
 #[cfg(test)]

@@ -71,7 +71,6 @@ impl<'a> Walk<'a> {
         wires: usize,
         rng: &'a mut ChaCha8Rng,
     ) -> Self {
-        let orientation = Orientation { head: Angle::ZERO, flipped: false };
         Self {
             wireframe,
             bender,
@@ -79,7 +78,7 @@ impl<'a> Walk<'a> {
             wires,
             used: vec![false; passes.all.len()],
             count: 0,
-            wire: OpenWire::new(0, orientation),
+            wire: OpenWire::new(0, Orientation { unflipped: Angle::ZERO }),
             finished: Vec::new(),
             rng,
             noise: 0.0,
@@ -173,8 +172,9 @@ impl<'a> Walk<'a> {
                     return None;
                 };
                 self.finished.push(found);
-                let flipped = self.rng.random::<bool>();
-                self.wire = OpenWire::new(vertex, Orientation { flipped, ..before.orientation });
+                let same = before.orientation;
+                let orientation = if self.rng.random::<bool>() { same.opposite() } else { same };
+                self.wire = OpenWire::new(vertex, orientation);
                 Some(Taken { what, settled: 0, before: Some(before) })
             }
         }

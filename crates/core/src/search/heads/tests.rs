@@ -2,8 +2,8 @@
 
 use proptest::prelude::*;
 
+use super::super::SearchOptions;
 use super::super::tests::{body, machine, options, planned};
-use super::super::{SearchOptions, orientations};
 use super::*;
 use crate::bend::{Step, program_of_path};
 use crate::clearance::{MovesWith, StockWire, passages};
@@ -58,8 +58,7 @@ proptest! {
         let scheduled = crate::schedule::build(&program, &bends, &chosen);
         let begins = scheduled_start(start, &scheduled.steps);
         let mut whole = Clearance::new((begins, &scheduled.steps), None, passages.clone(), wire, &machine.bodies, bend);
-        let (first_head, first_flipped) = chosen[0];
-        let first = Orientation { head: first_head, flipped: first_flipped };
+        let first = Orientation::of_degrees(orientation);
         let parts = Clearance::new((start, &program.steps), None, passages, wire, &machine.bodies, bend)
             .turned(first.turn());
         let mut head = Angle::ZERO;
@@ -110,9 +109,10 @@ fn no_other_choice_of_signs_and_windings_is_better() {
         turns + steps.iter().map(|step| bend_seconds(step.bend)).sum::<f64>()
     };
     let (mut tried, mut clear) = (0, 0);
-    let mut choices: Vec<Vec<(Angle, bool)>> = orientations(&machine.head, true)
-        .iter()
-        .map(|orientation| vec![(orientation.head, orientation.flipped)])
+    let positions = (-3..=4).map(|eighths| deg(f64::from(eighths) * 45.0));
+    let mut choices: Vec<Vec<(Angle, bool)>> = positions
+        .flat_map(|position| crate::schedule::head_angles(position, &machine.head))
+        .map(|first| vec![first])
         .collect();
     while let Some(chosen) = choices.pop() {
         if chosen.len() < bends.len() {
@@ -145,4 +145,22 @@ fn no_other_choice_of_signs_and_windings_is_better() {
     }
     assert!(clear > 0 && clear < tried, "{clear} of {tried}: the bodies decide something");
     assert!(best.contacts.as_ref().unwrap().is_empty());
+}
+
+/// On one side of the head is something that the wire may not be bent into, and beside the machine on the other: the first bend
+/// goes to the negative side, with the head turned.
+#[test]
+fn the_first_bend_may_go_to_either_side_wherever_the_part_stands() {
+    let corner = chain(&[[0., 0., 0.], [60., 0., 0.], [60., 60., 0.]]);
+    let bodies = vec![
+        body(MovesWith::Head, [20.0, 20.0, 20.0], [15.0, 35.0, 0.0]),
+        body(MovesWith::Frame, [20.0, 20.0, 20.0], [15.0, -35.0, 0.0]),
+    ];
+    let mut machine = machine(bodies);
+    (machine.head.min, machine.head.max) = (deg(-60.0), deg(60.0));
+    let one = options(SearchOptions { max_wires: 1, ..SearchOptions::default() });
+    let wires = planned(&corner, &machine, &one);
+    let made = wires[0].scheduled.as_ref().unwrap().steps[0];
+    assert!(wires[0].searched.unwrap().found && made.bend < Angle::ZERO, "{made:?}");
+    assert_eq!(made.rotate.abs(), deg(45.0));
 }
