@@ -299,10 +299,11 @@ impl Workspace {
 
     pub(crate) fn fixes(&self, asked: &FixesRequest, _: &dyn Progress) -> Result<FixesResponse, ApiError> {
         let app = self.installation();
+        // Before the copy: what is changed from here on ends the search of it.
+        let of = self.collision_checks.now();
         // The user keeps dragging meanwhile.
         let search = self.open().fix_search(&app)?;
         let fixes = if asked.collisions {
-            let of = self.collision_checks.now();
             search.collision_fixes(&app, &|| self.collision_checks.is_last(of))?
         } else {
             search.fixes(&app)?
