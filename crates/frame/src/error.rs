@@ -99,6 +99,9 @@ pub enum ModesError {
     /// A section weighs nothing, so that its members vibrate at no frequency.
     #[error("section {} has no density", section.0)]
     Weightless { section: SectionId },
+    /// A mass below zero or not finite, or of a node that is not there.
+    #[error("the mass at node {} has to be finite and not below zero, and the node in the model", node.0)]
+    Mass { node: NodeId },
     /// There is not one strut named for each member.
     #[error("struts are named for {struts} of {members} members")]
     Struts { struts: usize, members: usize },

@@ -140,7 +140,8 @@ fn tried(name: &str, model: &Model) -> Result<()> {
 
 /// The lowest modes of a frame that floats, by us and by `SciPy`.
 fn vibrating(python: &str, folder: &Path, name: &str, cut: &Pieces) -> Result<()> {
-    let search = ModeSearch { count: MODES, shift_hz: SHIFT_HZ, struts: cut.struts.clone() };
+    let search =
+        ModeSearch { count: MODES, shift_hz: SHIFT_HZ, struts: cut.struts.clone(), masses: Vec::new() };
     let (ours, modes) = timed(RUNS_OF_LARGE, || {
         let assembly = Assembly::new(&cut.model)?;
         Ok(assembly.modes(&assembly.all(), &search)?)

@@ -43,7 +43,7 @@ pub fn part(name: &str) -> Result<()> {
         "modes" => {
             let cut = Pieces::new(&model, 4);
             let assembly = Assembly::new(&cut.model)?;
-            let search = ModeSearch { count: 3, shift_hz: 100.0, struts: cut.struts };
+            let search = ModeSearch { count: 3, shift_hz: 100.0, struts: cut.struts, masses: Vec::new() };
             let modes = assembly.modes(&assembly.all(), &search)?;
             let first = modes.iter().find(|mode| mode.kind != ModeKind::Rigid).context("no mode")?;
             format!("3 modes from {:.2} Hz on, 4 pieces a strut", first.frequency_hz)

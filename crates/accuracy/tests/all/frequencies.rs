@@ -14,7 +14,7 @@ const BOWED: usize = 9;
 /// The first frequency of what is no rigid motion, Hz.
 fn first(cut: Pieces) -> f64 {
     let assembly = Assembly::new(&cut.model).unwrap();
-    let search = ModeSearch { count: 1, shift_hz: 60.0, struts: cut.struts };
+    let search = ModeSearch { count: 1, shift_hz: 60.0, struts: cut.struts, masses: Vec::new() };
     let modes = assembly.modes(&assembly.all(), &search).unwrap();
     modes.iter().find(|mode| mode.kind != ModeKind::Rigid).unwrap().frequency_hz
 }

@@ -1,26 +1,34 @@
 //! The mass of some members as a matrix.
 
 use crate::assembly::Assembly;
-use crate::equations::Equations;
+use crate::equations::{Equations, NONE};
+use crate::load::NodeMass;
 use crate::member_set::MemberSet;
 
 /// So many columns are multiplied, and solved for, at once: the matrix, which is larger than they are, is read but once for them.
 pub(super) const TOGETHER: usize = 4;
 
-/// The consistent mass of some members. Nodes that none touches have none.
+/// The consistent mass of some members, and masses at nodes. Nodes that no member touches have none.
 pub(super) struct Mass<'a> {
     equations: &'a Equations,
     pub numbers: Vec<f64>,
 }
 
 impl<'a> Mass<'a> {
-    pub fn new(assembly: &'a Assembly, members: &MemberSet) -> Self {
+    pub fn new(assembly: &'a Assembly, members: &MemberSet, masses: &[NodeMass]) -> Self {
         let equations = &assembly.equations;
         let mut numbers = vec![0.0; equations.numbers()];
         for member in members.iter() {
             let element = &assembly.elements[member.0];
             let matrix = element.mass(assembly.section(member), assembly.rotation_unit);
             equations.add(&mut numbers, member.0, &matrix);
+        }
+        let touched = assembly.touched(members);
+        for of in masses.iter().filter(|of| touched[of.node.0]) {
+            let along = &equations.of_node[of.node.0][..3];
+            for &equation in along.iter().filter(|&&equation| equation != NONE) {
+                numbers[equations.diagonal(equation)] += of.mass;
+            }
         }
         Self { equations, numbers }
     }

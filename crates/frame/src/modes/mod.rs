@@ -1,4 +1,5 @@
-//! How a frame vibrates: the lowest modes of K x = ω² M x, with the consistent mass of the members.
+//! How a frame vibrates: the lowest modes of K x = ω² M x, with the consistent mass of the members and masses
+//! at nodes.
 //!
 //! Rigid motions are written down, not searched for; the others are found by shift-invert Lanczos in blocks (Golub, Underwood
 //! 1977; Grimes, Lewis, Simon 1994). Hundreds of modes of single struts may crowd within 2 % of the lowest, and modes of symmetric
@@ -15,6 +16,7 @@ use std::f64::consts::TAU;
 
 use crate::assembly::Assembly;
 use crate::error::ModesError;
+use crate::load::NodeMass;
 use crate::member_set::MemberSet;
 use crate::model::SectionId;
 use mass::Mass;
@@ -29,6 +31,8 @@ pub struct ModeSearch {
     /// Of each member, the strut that it is a piece of, as [`Pieces::struts`](crate::Pieces) has it; empty where each member is
     /// a strut of its own.
     pub struts: Vec<usize>,
+    /// Masses at nodes. A node at which no member that is there ends has none.
+    pub masses: Vec<NodeMass>,
 }
 
 /// What a mode is.
@@ -68,7 +72,7 @@ impl Assembly {
 
 fn find(assembly: &Assembly, members: &MemberSet, search: &ModeSearch) -> Result<Vec<Mode>, ModesError> {
     check(assembly, members, search)?;
-    let mass = Mass::new(assembly, members);
+    let mass = Mass::new(assembly, members, &search.masses);
     let rigid = rigid::motions(assembly, members, &mass);
     let bending = bending::find(assembly, members, search, &mass, &rigid)?;
 
@@ -94,6 +98,12 @@ fn check(assembly: &Assembly, members: &MemberSet, search: &ModeSearch) -> Resul
     let all = assembly.model().members.len();
     if !search.struts.is_empty() && search.struts.len() != all {
         return Err(ModesError::Struts { struts: search.struts.len(), members: all });
+    }
+    let masses = &search.masses;
+    let is_mass =
+        |of: &NodeMass| of.mass.is_finite() && of.mass >= 0.0 && of.node.0 < assembly.model().nodes.len();
+    if let Some(wrong) = masses.iter().find(|of| !is_mass(of)) {
+        return Err(ModesError::Mass { node: wrong.node });
     }
     let weightless = members.iter().find(|&member| assembly.section(member).density <= 0.0);
     weightless.map_or(Ok(()), |member| {

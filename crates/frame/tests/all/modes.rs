@@ -4,8 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Point3, Vector3};
 use wirebend_frame::{
-    Assembly, Member, MemberId, MemberSet, Mode, ModeKind, ModeSearch, Model, NodeId, Pieces, Section,
-    SectionId, Support, Unstable,
+    Assembly, Member, MemberId, MemberSet, Mode, ModeKind, ModeSearch, Model, NodeId, NodeMass, Pieces,
+    Section, SectionId, Support, Unstable,
 };
 
 use crate::frames::{ABS, STEEL, assert_close, beam, bunny, frame, framefab_weight};
@@ -14,7 +14,7 @@ use crate::trusses::{accuracy_test_wire, truss};
 fn modes(model: &Model, pieces: usize, count: usize) -> Vec<Mode> {
     let cut = Pieces::new(model, pieces);
     let assembly = Assembly::new(&cut.model).expect("a model");
-    let search = ModeSearch { count, shift_hz: 100.0, struts: cut.struts };
+    let search = ModeSearch { count, shift_hz: 100.0, struts: cut.struts, masses: Vec::new() };
     assembly.modes(&assembly.all(), &search).expect("modes")
 }
 
@@ -49,6 +49,45 @@ fn a_cantilever_of_four_pieces_is_three_in_a_hundred_thousand_above_theory() {
         let above = frequency / theory - 1.0;
         assert_close(above, 3.3e-5, 0.05);
     }
+}
+
+/// A mass at the tip of a clamped beam, as large as that of the beam, a fifth of it, and ten times as large: β L solves
+/// 1 + cos cosh = m/(ρ A L) β L (sin cosh - cos sinh) (Rao, Mechanical Vibrations, 8.5); of a large mass the beam is a spring 3 E I/L³.
+#[test]
+fn a_cantilever_with_a_mass_at_its_tip_is_that_of_theory() {
+    let mut model = beam(Vector3::new(0.0, 60.0, 80.0));
+    model.supports = vec![Support::clamped(NodeId(0))];
+    let section = Section::round(0.9, &STEEL);
+    for (share, known) in [(0.0, 1.875_104), (0.2, 1.616_4), (1.0, 1.247_917), (10.0, 0.735_78)] {
+        let missed =
+            |x: f64| 1.0 + x.cos() * x.cosh() - share * x * (x.sin() * x.cosh() - x.cos() * x.sinh());
+        let (mut low, mut high) = (0.1, 2.0);
+        for _ in 0..60 {
+            let middle = f64::midpoint(low, high);
+            if missed(middle) > 0.0 { low = middle } else { high = middle }
+        }
+        assert_close(low, known, 1e-4);
+        let mass = share * section.density * section.area * 100.0;
+        let masses = vec![NodeMass { node: NodeId(1), mass }];
+        let cut = Pieces::new(&model, 4);
+        let assembly = Assembly::new(&cut.model).expect("a model");
+        let search = ModeSearch { count: 2, shift_hz: 10.0, struts: cut.struts, masses };
+        let found = bending(&assembly.modes(&assembly.all(), &search).expect("modes"));
+        assert_frequencies(&found, &[beam_theory(low, 100.0); 2], 5e-5);
+    }
+}
+
+/// A mass where no strut is does not vibrate, and what floats keeps its six rigid motions.
+#[test]
+fn masses_leave_rigid_motions_as_they_are() {
+    let model = beam(Vector3::new(0.0, 0.0, 100.0));
+    let assembly = Assembly::new(&model).expect("a model");
+    let masses = vec![NodeMass { node: NodeId(1), mass: 3e-6 }];
+    let search = ModeSearch { count: 1, shift_hz: 100.0, struts: Vec::new(), masses };
+    let found = assembly.modes(&assembly.all(), &search).expect("modes");
+    assert_eq!(found.iter().filter(|mode| mode.kind == ModeKind::Rigid).count(), 6);
+    let without = modes(&model, 1, 1);
+    assert!(bending(&found)[0] < bending(&without)[0]);
 }
 
 /// β L of free-free beams is 4.730040744862704; four elements are 1.1e-3 above.
@@ -202,7 +241,7 @@ fn a_frame_within_a_full_matrix() {
     let response =
         assembly.factor(&members).expect("it stands").solve(&framefab_weight()).expect("a response");
     assert_close(response.max_displacement().1, 0.427_187, 2e-6);
-    let search = ModeSearch { count: 3, shift_hz: 4.0, struts: Vec::new() };
+    let search = ModeSearch { count: 3, shift_hz: 4.0, struts: Vec::new(), masses: Vec::new() };
     let found = assembly.modes(&members, &search).expect("modes");
     assert_frequencies(&bending(&found), &[18.1481, 23.1528, 26.5428], 1e-5);
 

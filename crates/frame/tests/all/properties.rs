@@ -34,7 +34,7 @@ fn all_moved(response: &Response, nodes: usize) -> Vec<Vector3<f64>> {
 /// The lowest three, in Hz.
 fn frequencies(model: &Model) -> Vec<f64> {
     let assembly = Assembly::new(model).expect("a model");
-    let search = ModeSearch { count: 3, shift_hz: 4.0, struts: Vec::new() };
+    let search = ModeSearch { count: 3, shift_hz: 4.0, struts: Vec::new(), masses: Vec::new() };
     let modes = assembly.modes(&assembly.all(), &search).expect("modes");
     modes.iter().map(|mode| mode.frequency_hz).collect()
 }

@@ -3,7 +3,7 @@
 use nalgebra::{Point3, Vector3};
 use wirebend_frame::{
     Assembly, EndMotion, LineLoad, Load, LoadError, Member, MemberId, MemberSet, Misfit, ModeSearch, Model,
-    ModelError, ModesError, NodalLoad, NodeId, SectionId, SolveError, Support, Unstable,
+    ModelError, ModesError, NodalLoad, NodeId, NodeMass, SectionId, SolveError, Support, Unstable,
 };
 
 use crate::frames::{beam, bunny};
@@ -166,8 +166,18 @@ fn modes_that_cannot_be_looked_for() {
     let refusal = |model: &Model, none: bool, shift_hz: f64, struts: usize| {
         let assembly = Assembly::new(model).expect("a model");
         let members = if none { MemberSet::empty(assembly.all().len()) } else { assembly.all() };
-        assembly.modes(&members, &ModeSearch { count: 1, shift_hz, struts: vec![0; struts] }).err()
+        let search = ModeSearch { count: 1, shift_hz, struts: vec![0; struts], masses: Vec::new() };
+        assembly.modes(&members, &search).err()
     };
+    let assembly = Assembly::new(&model).expect("a model");
+    for (node, mass) in [(0, -1e-6), (0, f64::NAN), (91, 1e-6)] {
+        let masses = vec![NodeMass { node: NodeId(node), mass }];
+        let search = ModeSearch { count: 1, shift_hz: 100.0, struts: Vec::new(), masses };
+        assert_eq!(
+            assembly.modes(&assembly.all(), &search).err(),
+            Some(ModesError::Mass { node: NodeId(node) })
+        );
+    }
     assert_eq!(refusal(&model, true, 100.0, 0), Some(ModesError::NoMembers));
     assert_eq!(refusal(&model, false, 0.0, 0), Some(ModesError::Shift { shift_hz: 0.0 }));
     assert_eq!(refusal(&model, false, 100.0, 3), Some(ModesError::Struts { struts: 3, members: 179 }));

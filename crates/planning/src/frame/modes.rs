@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_accuracy::bows;
 use wirebend_error::InputName;
-use wirebend_frame::{Assembly, MemberId, Mode, ModeKind, ModeSearch, Model, Pieces};
+use wirebend_frame::{Assembly, MemberId, Mode, ModeKind, ModeSearch, Model, NodeMass, Pieces};
 
 use super::shapes::StrutShape;
 use super::structure::Structure;
@@ -139,7 +139,14 @@ impl Structure {
     fn found(&self, count: u32, cut: Pieces) -> Result<(Model, Vec<Mode>), PlanningError> {
         let no_modes = |reason: String| PlanningError::NoModes { reason };
         let assembly = Assembly::new(&cut.model).map_err(|error| no_modes(error.to_string()))?;
-        let search = ModeSearch { count: count as usize, shift_hz: self.shift_hz(), struts: cut.struts };
+        // 1 g are 1e-6 t.
+        let masses = self.joints.iter().map(|&(node, mass_g)| NodeMass { node, mass: mass_g * 1.0e-6 });
+        let search = ModeSearch {
+            count: count as usize,
+            shift_hz: self.shift_hz(),
+            struts: cut.struts,
+            masses: masses.collect(),
+        };
         let modes = assembly.modes(&assembly.all(), &search).map_err(|error| no_modes(error.to_string()))?;
         Ok((cut.model, modes))
     }
