@@ -113,6 +113,9 @@ pub struct Note {
     pub first: Option<Location>,
 }
 
+const ENDS_ON_BEND: &str = "the program ends on a bend that no feed follows: it makes no edge, so that a plan leaves it out; the program \
+    itself, when it is run, makes it";
+
 impl NoteKind {
     /// A name that does not change with the wording.
     #[must_use]
@@ -224,7 +227,7 @@ impl NoteKind {
                 "",
             ),
             Self::LeftHanded => ("the table is left-handed: its rotations are turned the other way", ""),
-            Self::EndsOnBend => ("the program ends on a bend that no feed follows; it is kept", ""),
+            Self::EndsOnBend => (ENDS_ON_BEND, ""),
             Self::NegativeAngles => (
                 "bend with a minus sign, taken as a bend to the other side",
                 "bends with a minus sign, taken as bends to the other side",

@@ -40,22 +40,32 @@ pub(in crate::read) fn read(
     options: &ReadOptions,
 ) -> Result<Imported, ReadError> {
     let text = decode(bytes);
-    let table = Table::parse(&text);
+    let table = Table::read(&text, source)?;
     let mut notes = Notes::default();
     notes.add(NoteKind::CommentsIgnored, table.comments);
     let columns = Columns::of(&table, source, &mut notes)?;
-    let unit = table.header.iter().flatten().find_map(|column| column.unit);
-    let factor = options.units.or(unit).unwrap_or_default().mm() * options.scale;
-    if options.units.or(unit).is_none() {
+    if options.units.or(table.unit()).is_none() {
         notes.add(NoteKind::UnitsAssumed, 1);
     }
+    let of_length = table.mm(Some(columns.length), options);
+    let of_radius = table.mm(columns.radius, options);
+    notes.add(
+        NoteKind::UnitsOverridden,
+        usize::from(of_length.1 || (columns.radius.is_some() && of_radius.1)),
+    );
+    let factors = Factors {
+        length: of_length.0,
+        radius: of_radius.0,
+        twist: table.degrees(columns.twist),
+        angle: table.degrees(columns.angle),
+    };
 
     let handedness = options.handedness.or(table.handedness);
     let over = handedness == Some(Handedness::Left);
     notes.add(NoteKind::LeftHanded, usize::from(over));
 
     let digit = table.last_place(columns.length);
-    let rows = Rows { table: &table, source, options, columns, factor, digit };
+    let rows = Rows { table: &table, source, options, columns, factors, digit };
     let mut steps: Vec<Step> = Vec::new();
     let mut lines = Vec::new();
     let mut before = Before::default();
@@ -81,9 +91,18 @@ struct Rows<'a> {
     source: Source<'a>,
     options: &'a ReadOptions,
     columns: Columns,
-    factor: f64,
-    /// What the last digit of a length stands for, before `factor`.
+    factors: Factors,
+    /// What the last digit of a length stands for, in the unit of the table.
     digit: f64,
+}
+
+/// What one is in a column: mm or degrees.
+#[derive(Debug, Clone, Copy)]
+struct Factors {
+    length: f64,
+    radius: f64,
+    twist: f64,
+    angle: f64,
 }
 
 /// The arc of a bend. Where there is none, or lengths do not depend on it, both are 0.
@@ -116,7 +135,7 @@ struct Before {
 
 impl Rows<'_> {
     fn step(&self, row: usize, before: &mut Before, notes: &mut Notes) -> Result<Step, ReadError> {
-        let bend = self.value(row, self.columns.angle)?.unwrap_or(0.0);
+        let bend = self.value(row, self.columns.angle)?.unwrap_or(0.0) * self.factors.angle;
         notes.add(NoteKind::NegativeAngles, usize::from(bend < 0.0));
         let arc = self.arc(row, bend, notes)?;
         let length_mm = self.length_mm(row, before)?;
@@ -133,7 +152,7 @@ impl Rows<'_> {
             return Ok(Arc::default());
         }
         let radius_mm = match (self.value(row, self.columns.radius)?, self.options.clr) {
-            (Some(radius), _) => radius * self.factor,
+            (Some(radius), _) => radius * self.factors.radius,
             (None, Some(radius)) => radius.mm(),
             (None, None) => {
                 notes.add(NoteKind::RadiusAssumed, 1);
@@ -152,7 +171,7 @@ impl Rows<'_> {
 
     /// What lies between the arc before and that of this row, or between their corners.
     fn length_mm(&self, row: usize, before: &mut Before) -> Result<f64, ReadError> {
-        let given = self.value(row, Some(self.columns.length))?.map(|value| value * self.factor);
+        let given = self.value(row, Some(self.columns.length))?.map(|value| value * self.factors.length);
         if !self.columns.is_distance {
             let length_mm = given.unwrap_or(0.0);
             if length_mm < 0.0 {
@@ -184,13 +203,14 @@ impl Rows<'_> {
         if arc.length_mm() == 0.0 {
             return 0.0;
         }
-        self.digit * self.factor * (1.0 + arc.angle_rad) + self.digit.to_radians() * arc.radius_mm
+        self.digit * self.factors.length * (1.0 + arc.angle_rad) + self.digit.to_radians() * arc.radius_mm
     }
 
     fn rotation(&self, row: usize, before: &mut Before) -> Result<Angle, ReadError> {
-        let Some(deg) = self.value(row, self.columns.twist)? else {
+        let Some(twist) = self.value(row, self.columns.twist)? else {
             return Ok(Angle::ZERO);
         };
+        let deg = twist * self.factors.twist;
         if !self.columns.is_absolute {
             return Ok(Angle::from_deg(deg).unwrap_or_default());
         }

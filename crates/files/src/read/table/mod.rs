@@ -5,18 +5,22 @@ pub(super) mod pin_table;
 pub(super) mod sheet;
 pub(super) mod xyz;
 
+use std::borrow::Cow;
+
+use wirebend_error::ErrorRemedy;
+
 use super::error::{Location, ReadError};
-use super::options::{Handedness, LengthUnit};
+use super::options::{Handedness, LengthUnit, ReadOptions};
 use super::text::{Source, lines};
 
-/// Rows of cells. Separators are `;`, tab, `,` or blanks, in this order of preference; the decimal
-/// mark may be a comma where the separator is `;` or tab. Lines that start with `#` are comments.
+/// Rows of cells. Separators are `;`, tab, `,` or blanks, in this order of preference, and cells may stand in quotes; the decimal mark
+/// may be a comma where the separator is `;` or tab, and in quotes. Lines that start with `#` are comments.
 #[derive(Debug)]
 pub(crate) struct Table<'a> {
     /// The first row, if it has words.
     pub(crate) header: Option<Vec<Column>>,
     /// The other rows with their line; empty cells at the end are cut off, blank lines left out.
-    pub(crate) rows: Vec<(usize, Vec<&'a str>)>,
+    pub(crate) rows: Vec<(usize, Vec<Cow<'a, str>>)>,
     pub(crate) comments: usize,
     /// What the comments and the names of columns say of handedness.
     pub(crate) handedness: Option<Handedness>,
@@ -24,7 +28,7 @@ pub(crate) struct Table<'a> {
 }
 
 /// A header cell such as `X`, `length_mm` or `Angle [deg]`.
-#[derive(Debug, PartialEq, Eq)]
+#[derive(Debug, PartialEq)]
 pub(crate) struct Column {
     /// As it stands in the file.
     pub(crate) text: String,
@@ -34,6 +38,8 @@ pub(crate) struct Column {
     pub(crate) more: Vec<String>,
     /// The unit of length that it names.
     pub(crate) unit: Option<LengthUnit>,
+    /// How many degrees the unit of angle is that it names; 1 where it names none.
+    pub(crate) degrees: f64,
 }
 
 impl<'a> Table<'a> {
@@ -42,25 +48,60 @@ impl<'a> Table<'a> {
         let (mut comments, mut handedness) = (0, None);
         let mut content = Vec::new();
         for (number, line) in lines(text).filter(|(_, line)| !line.trim().is_empty()) {
-            if line.trim_start().starts_with('#') {
+            if line.trim_start().trim_start_matches('"').starts_with('#') {
                 comments += 1;
                 handedness = handedness.or_else(|| hand(line));
             } else {
                 content.push((number, line));
             }
         }
-        let separator =
-            [';', '\t', ','].into_iter().find(|&mark| content.iter().any(|(_, line)| line.contains(mark)));
-        let mut rows: Vec<(usize, Vec<&str>)> =
+        let separator = [';', '\t', ',']
+            .into_iter()
+            .find(|&mark| content.iter().any(|(_, line)| is_separated(line, mark)));
+        let mut rows: Vec<(usize, Vec<Cow<str>>)> =
             content.into_iter().map(|(number, line)| (number, cells(line, separator))).collect();
         let is_header = rows.first().is_some_and(|(_, row)| {
             row.iter().any(|cell| cell.starts_with(|c: char| c.is_alphabetic()) && !number_like(cell))
         });
         let header: Option<Vec<Column>> =
-            is_header.then(|| rows.remove(0).1.into_iter().map(Column::parse).collect());
+            is_header.then(|| rows.remove(0).1.iter().map(|cell| Column::parse(cell)).collect());
         let of_column = |column: &Column| hand(&format!("handed {}", column.more.join(" ")));
         let handedness = handedness.or_else(|| header.iter().flatten().find_map(of_column));
-        Self { header, rows, comments, handedness, decimal_comma: matches!(separator, Some(';' | '\t')) }
+        let decimal_comma = matches!(separator, Some(';' | '\t'))
+            || rows.iter().flat_map(|(_, row)| row).any(|cell| is_decimal(cell));
+        Self { header, rows, comments, handedness, decimal_comma }
+    }
+
+    /// A table in which every cell has a column.
+    pub(crate) fn read(text: &'a str, source: Source<'_>) -> Result<Self, ReadError> {
+        let table = Self::parse(text);
+        let columns = table.header.as_ref().map_or(usize::MAX, Vec::len);
+        if let Some((line, row)) = table.rows.iter().find(|(_, row)| row.len() > columns) {
+            let expected = format!(
+                "up to {columns} cells, as the header has; numbers with a decimal comma stand between semicolons or in quotes"
+            );
+            let place = Location::Line(*line);
+            return Err(source.syntax(place, &row.join(" "), expected, ErrorRemedy::CorrectFile));
+        }
+        Ok(table)
+    }
+
+    /// How many mm one is in a column, and whether the person's unit is another than the table names there. A column without a unit has
+    /// that of the others.
+    pub(crate) fn mm(&self, column: Option<usize>, options: &ReadOptions) -> (f64, bool) {
+        let named = column.and_then(|column| self.header.as_ref()?.get(column)?.unit).or_else(|| self.unit());
+        let is_other = options.units.zip(named).is_some_and(|(wanted, named)| wanted != named);
+        (options.units.or(named).unwrap_or_default().mm() * options.scale, is_other)
+    }
+
+    /// The first unit of length that the header names.
+    pub(crate) fn unit(&self) -> Option<LengthUnit> {
+        self.header.iter().flatten().find_map(|column| column.unit)
+    }
+
+    /// How many degrees one is in a column.
+    pub(crate) fn degrees(&self, column: Option<usize>) -> f64 {
+        column.and_then(|column| Some(self.header.as_ref()?.get(column)?.degrees)).unwrap_or(1.0)
     }
 
     /// Whether the first rows hold numbers and nothing else.
@@ -116,7 +157,8 @@ impl Column {
         let name = words.next().unwrap_or_default();
         let more: Vec<String> = words.collect();
         let unit = more.iter().find_map(|word| LengthUnit::from_word(word));
-        Self { text: cell.to_owned(), name, unit, more }
+        let degrees = more.iter().find_map(|word| degrees(word)).unwrap_or(1.0);
+        Self { text: cell.to_owned(), name, unit, degrees, more }
     }
 }
 
@@ -133,15 +175,79 @@ fn hand(line: &str) -> Option<Handedness> {
     }
 }
 
-fn cells(line: &str, separator: Option<char>) -> Vec<&str> {
-    let mut cells: Vec<&str> = match separator {
-        Some(mark) => line.split(mark).map(|cell| cell.trim().trim_matches('"').trim()).collect(),
-        None => line.split_whitespace().collect(),
+/// How many degrees a unit of angle is, by its name.
+fn degrees(word: &str) -> Option<f64> {
+    match word {
+        "deg" | "degree" | "degrees" => Some(1.0),
+        "rad" | "radian" | "radians" => Some(1.0_f64.to_degrees()),
+        "gon" | "grad" | "gradian" | "gradians" => Some(0.9),
+        _ => None,
+    }
+}
+
+/// Whether a mark stands between cells, and not in one that has quotes around it.
+fn is_separated(line: &str, mark: char) -> bool {
+    let mut quoted = false;
+    line.chars().any(|c| {
+        quoted ^= c == '"';
+        c == mark && !quoted
+    })
+}
+
+fn cells(line: &str, separator: Option<char>) -> Vec<Cow<'_, str>> {
+    let plain = |cell: &'_ str| cell.trim().trim_matches('"').trim().to_owned();
+    let mut cells: Vec<Cow<str>> = match separator {
+        Some(mark) => quoted_cells(line, mark)
+            .unwrap_or_else(|| line.split(mark).map(|cell| Cow::Owned(plain(cell))).collect()),
+        None => line.split_whitespace().map(Cow::Borrowed).collect(),
     };
     while cells.last().is_some_and(|cell| cell.is_empty()) {
         cells.pop();
     }
     cells
+}
+
+/// The cells of a line, of which some have quotes around them, as spreadsheets write them: two quotes in such a cell stand for one. None
+/// where quotes are not like that.
+fn quoted_cells(line: &str, mark: char) -> Option<Vec<Cow<'_, str>>> {
+    let mut cells = Vec::new();
+    let mut rest = line;
+    loop {
+        let (cell, behind) = if let Some(quoted) = rest.trim_start_matches(' ').strip_prefix('"') {
+            quoted_cell(quoted)?
+        } else {
+            let end = rest.find(mark).unwrap_or(rest.len());
+            (Cow::Borrowed(rest[..end].trim()), &rest[end..])
+        };
+        cells.push(cell);
+        match behind.strip_prefix(mark) {
+            Some(next) => rest = next,
+            None if behind.trim().is_empty() => return Some(cells),
+            None => return None,
+        }
+    }
+}
+
+/// A cell up to the quote at its end, and what is behind that.
+fn quoted_cell(text: &str) -> Option<(Cow<'_, str>, &str)> {
+    let mut from = 0;
+    loop {
+        let end = from + text[from..].find('"')?;
+        if !text[end + 1..].starts_with('"') {
+            let cell = text[..end].trim();
+            let cell =
+                if cell.contains('"') { Cow::Owned(cell.replace("\"\"", "\"")) } else { Cow::Borrowed(cell) };
+            return Some((cell, text[end + 1..].trim_start_matches(' ')));
+        }
+        from = end + 2;
+    }
+}
+
+/// Whether the comma of a number is a decimal mark for sure: one of thousands has three digits behind it.
+fn is_decimal(cell: &str) -> bool {
+    let Some((before, behind)) = cell.split_once(',') else { return false };
+    let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    is_digits(before.trim_start_matches(['-', '+'])) && is_digits(behind) && behind.len() != 3
 }
 
 fn number_like(cell: &str) -> bool {
@@ -177,6 +283,34 @@ mod tests {
         assert_eq!(first_row("1.5;;-"), [Some(1.5), None, None]);
     }
 
+    /// As a spreadsheet saves them that writes commas in numbers, and commas between cells.
+    #[test]
+    fn a_comma_in_quotes_is_a_decimal_mark() {
+        let numbers = [Some(57.5), Some(-90.0), Some(3.25)];
+        for text in
+            ["\"57,5\",\"-90,0\",\"3,25\"", "\"57,5\" , -90, \"3,25\",,", " \"57,5\";\"-90,0\";\"3,25\""]
+        {
+            assert_eq!(first_row(text), numbers, "{text}");
+        }
+        // Of this nobody knows whether it is one or a thousand.
+        let thousand = Table::parse("\"1,000\",2,3");
+        assert!(thousand.value(Source { name: "t" }, 0, 0).is_err());
+        let words = Table::parse("who,what\nAnn,\"5\"\", twice\"\nBen,5\"\n");
+        assert_eq!(words.rows[0].1, ["Ann", "5\", twice"]);
+        assert_eq!(words.rows[1].1, ["Ben", "5\""]);
+    }
+
+    #[test]
+    fn a_row_with_more_cells_than_columns_is_refused() {
+        let source = Source { name: "t" };
+        assert!(Table::read("x,y,z\n1,2,3\n1,2,3,,\n", source).is_ok());
+        let refused = Table::read("x,y,z\n1,2,3\n57,5,40,5,0,0\n", source).unwrap_err().to_string();
+        assert!(
+            refused.starts_with("t, line 3: found \"57 5 40 5 0 0\", expected up to 3 cells"),
+            "{refused}"
+        );
+    }
+
     #[test]
     fn the_last_digit_of_a_column_is_that_of_its_longest_number() {
         let table = Table::parse("D;A\n1;90\n2,25;-\n10,5;45\n12\n");
@@ -195,7 +329,8 @@ mod tests {
                 text: "X [mm]".into(),
                 name: "x".into(),
                 more: vec!["mm".into()],
-                unit: Some(LengthUnit::Millimetre)
+                unit: Some(LengthUnit::Millimetre),
+                degrees: 1.0,
             }
         );
         assert_eq!(table.header.as_ref().unwrap()[1].unit, Some(LengthUnit::Inch));

@@ -45,7 +45,7 @@ const SHARES: [f64; 2] = [0.4, 0.6];
 pub fn pin_table(file: &str, bytes: &[u8]) -> Result<Vec<PinPair>, ReadError> {
     let source = Source { name: file };
     let text = decode(bytes);
-    let table = Table::parse(&text);
+    let table = Table::read(&text, source)?;
     let named = |names: &[&str], says| table.column(names).map(|column| (column, says));
     let named = named(&LEFT, Some(Says::Left)).or_else(|| named(&LOSS, Some(Says::Loss)));
     let (second, says) = named.or_else(|| Some((table.column(&EITHER)?, None))).unwrap_or((1, None));

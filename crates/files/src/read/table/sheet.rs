@@ -99,7 +99,7 @@ impl MeasuringSheet {
         };
         let (machine, material) = (needed("machine")?, needed("material")?);
         let bent = heading("bent").map(|ids| ids.split_whitespace().map(str::to_owned).collect());
-        let table = Table::parse(&text);
+        let table = Table::read(&text, source)?;
         let column = |name: &'static str| {
             let word = name.split('_').next().unwrap_or(name);
             let columns = || ErrorRemedy::NameColumns { columns: COLUMNS.join(", ") + ", reading_1, …" };
@@ -117,13 +117,16 @@ impl MeasuringSheet {
         let added = added
             .filter(|(k, column)| !known.contains(k) && !readings.contains(k) && !column.text.is_empty());
         let columns = added.map(|(k, column)| {
-            let cell = |(_, cells): &(usize, Vec<&str>)| cells.get(k).copied().unwrap_or_default().to_owned();
-            (column.text.clone(), table.rows.iter().map(cell).collect())
+            let cells = table
+                .rows
+                .iter()
+                .map(|(_, cells)| cells.get(k).map_or_else(String::new, ToString::to_string));
+            (column.text.clone(), cells.collect())
         });
         let columns = columns.collect();
         let mut rows = Vec::with_capacity(table.rows.len());
         for (row, (line, cells)) in table.rows.iter().enumerate() {
-            let word = cells.get(what).copied().unwrap_or_default();
+            let word = cells.get(what).map_or("", AsRef::as_ref);
             let quantity = SheetQuantity::ALL.iter().find(|(_, known)| known.eq_ignore_ascii_case(word));
             let Some(&(quantity, _)) = quantity else {
                 let known = "bend, side, turn or turn-back";
@@ -141,7 +144,7 @@ impl MeasuringSheet {
             };
             rows.push(SheetRow {
                 line: *line,
-                coupon: cells.get(coupon).copied().unwrap_or_default().to_owned(),
+                coupon: cells.get(coupon).map_or_else(String::new, ToString::to_string),
                 quantity,
                 wanted: needed(wanted)?,
                 commanded: needed(commanded)?,

@@ -19,20 +19,27 @@ pub(in crate::read) fn read(
     options: &ReadOptions,
 ) -> Result<Imported, ReadError> {
     let text = decode(bytes);
-    let table = Table::parse(&text);
+    let table = Table::read(&text, source)?;
     let mut drawing = Drawing::default();
     drawing.notes.add(NoteKind::CommentsIgnored, table.comments);
     let columns = columns(&table, source, &mut drawing)?;
+    // The points are in the unit of the drawing, whatever each column is in; where a person's unit takes its place, one that differs.
+    let named = columns.iter().filter_map(|&column| table.header.as_ref()?.get(column)?.unit);
+    let other = named.clone().find(|unit| options.units.is_some_and(|wanted| wanted != *unit));
+    drawing.unit_mm = other.or_else(|| table.unit()).map(LengthUnit::mm);
+    let own = |column: usize| table.mm(Some(column), options).0 / table.mm(None, options).0;
+    let shares = columns.map(own);
     for row in 0..table.rows.len() {
         let place = table.place(row);
         source.room(place.clone(), row, "points")?;
         let mut point = Point3::origin();
         for (axis, &column) in columns.iter().enumerate() {
-            point[axis] = table.value(source, row, column)?.ok_or_else(|| {
+            let value = table.value(source, row, column)?.ok_or_else(|| {
                 let found = table.rows[row].1.join(" ");
                 let remedy = ErrorRemedy::CorrectFile;
                 source.syntax(place.clone(), &found, "three numbers", remedy)
             })?;
+            point[axis] = value * shares[axis];
         }
         if table.header.is_none() && table.rows[row].1.len() > columns.len() {
             let remedy = ErrorRemedy::NameColumns { columns: "x, y and z".to_owned() };
@@ -63,7 +70,6 @@ fn columns(table: &Table<'_>, source: Source<'_>, drawing: &mut Drawing) -> Resu
         return Ok([0, 1, 2]);
     };
     drawing.notes.add(NoteKind::HeaderSkipped, 1);
-    drawing.unit_mm = header.iter().find_map(|column| column.unit).map(LengthUnit::mm);
     let named = ["x", "y", "z"].map(|name| table.column(&[name]));
     if let [Some(x), Some(y), Some(z)] = named {
         drawing.notes.add(NoteKind::ColumnsIgnored, header.len() - 3);

@@ -42,7 +42,7 @@ fn a_script_that_ends_on_a_bend_keeps_it_and_says_so() {
             "1 comment ignored",
             "1 pin command ignored",
             "1 rotation at the end without effect ignored",
-            "the program ends on a bend that no feed follows; it is kept",
+            "the program ends on a bend that no feed follows: it makes no edge, so that a plan leaves it out; the program itself, when it is run, makes it",
         ]
     "#]]
     .assert_debug_eq(&notes(&imported.notes));

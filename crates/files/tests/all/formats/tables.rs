@@ -3,7 +3,7 @@
 use nalgebra::{Point3, Vector3};
 use wirebend_core::bend::{Convention, Frame, Sign, Step, program_of_path, replay};
 use wirebend_core::units::Angle;
-use wirebend_files::read::{Format, Handedness, Imported, ReadOptions, read};
+use wirebend_files::read::{Format, Handedness, Imported, LengthUnit, NoteKind, ReadOptions, read};
 
 use super::{import, mm, notes, step};
 
@@ -125,6 +125,31 @@ fn distances_and_radii_are_in_the_unit_that_they_name() {
                  5.73593,225,60,0.11811\n8.54733,,,\n";
     let imported = import_table(table, &ReadOptions::default());
     assert_near(&imported.program.unwrap().path, &wire(), 0.005, table);
+}
+
+/// The same wire, with units that differ from column to column: 57 mm are 2.24409 inches, 90° are 1.570796 radians or 100 gon.
+#[test]
+fn each_column_is_in_the_unit_that_it_names() {
+    for table in [
+        "D_inch,Rabs_deg,A_deg,CLR_mm\n2.24409,90,90,3\n3.76820,0,90,3\n5.73593,225,60,3\n8.54733,,,\n",
+        "D_mm,Rabs_deg,A_deg,CLR_cm\n57,90,90,0.3\n95.712,0,90,0.3\n145.693,225,60,0.3\n217.102,,,\n",
+        "D (mm),Rabs [rad],A [gon],CLR (inch)\n57,1.570796,100,0.11811\n95.712,0,100,0.11811\n145.693,3.926991,66.66667,0.11811\n217.102,,,\n",
+        "\"D_mm\",\"Rabs_deg\",\"A_deg\",\"CLR_mm\"\n\"57,0\",\"90,0\",\"90,0\",\"3,0\"\n\"95,712\",\"0,0\",\"90,0\",\"3,0\"\n\
+         \"145,693\",\"225,0\",\"60,0\",\"3,0\"\n\"217,102\",,,\n",
+    ] {
+        let imported = import_table(table, &ReadOptions::default());
+        assert_near(&imported.program.unwrap().path, &wire(), 0.005, table);
+    }
+    let points = "x_inch,y_mm,z\n2,50,1\n3,60,2\n";
+    let imported = read(points.as_bytes(), "points.csv", None, &ReadOptions::default()).unwrap();
+    let at: Vec<Point3<f64>> = imported.wireframe.vertices().map(|(_, vertex)| vertex.position).collect();
+    assert_near(&at, &[Point3::new(50.8, 50.0, 25.4), Point3::new(76.2, 60.0, 50.8)], 1e-9, points);
+    // Whoever says what all of them are in is told that the file says otherwise.
+    let units = Some(LengthUnit::Millimetre);
+    let imported =
+        import_table("L_inch,R,A,CLR_mm\n20,0,90,3\n20\n", &ReadOptions { units, ..ReadOptions::default() });
+    assert!((imported.program.unwrap().program.steps[0].feed.mm() - 23.0).abs() < 1e-9);
+    assert!(imported.notes.iter().any(|note| note.kind == NoteKind::UnitsOverridden), "{:?}", imported.notes);
 }
 
 /// A machine whose dial counts the other way has 360° less each rotation.
