@@ -36,9 +36,14 @@ impl<'a> Draw<'a> {
     }
 
     fn error(&mut self, of: ErrorSource) -> f64 {
+        self.error_with(of, 1.0)
+    }
+
+    /// The same with its constant part to a side: 1 or -1.
+    fn error_with(&mut self, of: ErrorSource, side: f64) -> f64 {
         let normal: f64 = StandardNormal.sample(&mut self.random);
         let term = self.errors.term(of);
-        term.sigma.mul_add(normal, term.bias)
+        term.sigma.mul_add(normal, term.bias * side)
     }
 
     /// To which side a bow goes, as an angle about the strut.
@@ -58,12 +63,26 @@ pub(super) fn corner_to_corner(steps: &[Step], compensation: &Compensation) -> V
         .collect()
 }
 
+/// A rotation of less is none, degrees.
+const LEAST_TURN_DEG: f64 = 1e-6;
+
+/// Of each step whether its rotation is part of the shape, and so can be off: the head turns before a bend that is not the first. Before
+/// the first it turns the wire as a whole.
+pub(super) fn turns(formed: &[Step]) -> Vec<bool> {
+    let bends = |step: &Step| step.bend != Angle::ZERO;
+    let first = formed.iter().position(bends).unwrap_or(formed.len());
+    let turns =
+        |(k, step): (usize, &Step)| k > first && bends(step) && step.rotate.abs().deg() > LEAST_TURN_DEG;
+    formed.iter().enumerate().map(turns).collect()
+}
+
 /// One wire. `formed`: what its commands leave where nothing is off.
 ///
 /// Vertices on a straight feed divide it as `fractions` says: for each step the parts of its feed at
 /// which a vertex of the route lies, ending with 1. The first vertex is that of `start`.
 pub(super) fn imperfect(input: &SimulationInput, formed: &[Step], draw: &mut Draw) -> ImperfectWire {
     let mut told: Vec<ToldStep> = input.program.told().collect();
+    let turns = turns(formed);
     let disturbed: Vec<Step> = told
         .iter_mut()
         .zip(formed)
@@ -71,10 +90,14 @@ pub(super) fn imperfect(input: &SimulationInput, formed: &[Step], draw: &mut Dra
         .map(|(index, (told, formed))| {
             let is_bend = formed.bend != Angle::ZERO;
             let feed = formed.feed + Length::computed(draw.error(ErrorSource::Feed));
-            let mut off =
-                |of| if is_bend { Angle::computed(draw.error(of).to_radians()) } else { Angle::ZERO };
-            let rotate = formed.rotate + off(ErrorSource::Rotation);
-            let wrong = off(ErrorSource::Bend);
+            let mut off = |of, side: f64| {
+                if is_bend { Angle::computed(draw.error_with(of, side).to_radians()) } else { Angle::ZERO }
+            };
+            // Drawn in any case, so that what is drawn after it does not depend on it.
+            let turned = off(ErrorSource::Rotation, 1.0);
+            let rotate = if turns[index] { formed.rotate + turned } else { formed.rotate };
+            // What is constant bends farther, to whichever side.
+            let wrong = off(ErrorSource::Bend, formed.bend.signum());
             let side = told.side();
             told.step.bend += wrong;
             // An error does not make it a bend to the other side.
