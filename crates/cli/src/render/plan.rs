@@ -1,11 +1,12 @@
 //! Plans and what the checks say of them.
 
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 use std::io::Write;
 
 use wirebend_api::{
     BestSoFar, CheckResponse, DiagnosticCode, DiagnosticReport, FoundSoFar, PlanReport, PlanResponse,
-    SearchReport, SearchWeights, SeverityName, WireReport,
+    RouteReport, SearchReport, SearchWeights, SeverityName, WireReport,
 };
 
 use super::number::{count, duration, mm};
@@ -22,7 +23,7 @@ pub(super) fn plan(out: &mut impl Write, found: &PlanResponse) -> std::io::Resul
         if wires.len() > 1 {
             writeln!(out, "wire {}", index + 1)?;
         }
-        wire(out, report)?;
+        wire(out, report, wires.len() == 1)?;
     }
     diagnostics(out, &found.report)?;
     if found.withheld {
@@ -45,7 +46,22 @@ pub(super) fn plan(out: &mut impl Write, found: &PlanResponse) -> std::io::Resul
     written(out, found.output.iter())
 }
 
-fn wire(out: &mut impl Write, report: &WireReport) -> std::io::Result<()> {
+/// `alone`: whether it is the only wire, so that what is least of all wires is least of it.
+fn walk(route: &RouteReport, alone: bool) -> String {
+    let mut said = format!("{}, {} mm as designed", count(route.feeds, "feed", "feeds"), mm(route.length_mm));
+    if route.doubled_edges > 0 {
+        let edges = count(route.doubled_edges, "edge", "edges");
+        let least = if route.optimal && alone { ", the least possible" } else { "" };
+        let _ = write!(said, "; {edges} doubled, {} mm more{least}", mm(route.doubled_mm));
+    }
+    if !route.beside.is_empty() {
+        let edges = count(route.beside.len(), "edge", "edges");
+        let _ = write!(said, "; {edges} beside a wire before it, {} mm", mm(route.beside_mm));
+    }
+    said
+}
+
+fn wire(out: &mut impl Write, report: &WireReport, alone: bool) -> std::io::Result<()> {
     let wireframe = &report.wireframe;
     let line = |out: &mut dyn Write, label: &str, text: String| writeln!(out, "  {label:<11} {text}");
     line(
@@ -59,24 +75,7 @@ fn wire(out: &mut impl Write, report: &WireReport) -> std::io::Result<()> {
         ),
     )?;
     if let Some(route) = &report.route {
-        let doubled = match route.doubled_edges {
-            0 => String::new(),
-            edges => format!(
-                "; {} doubled, {} mm more{}",
-                count(edges, "edge", "edges"),
-                mm(route.doubled_mm),
-                if route.optimal { ", the least possible" } else { "" }
-            ),
-        };
-        line(
-            out,
-            "route",
-            format!(
-                "{}, {} mm as designed{doubled}",
-                count(route.feeds, "feed", "feeds"),
-                mm(route.length_mm)
-            ),
-        )?;
+        line(out, "route", walk(route, alone))?;
     }
     if let Some(program) = &report.program {
         line(

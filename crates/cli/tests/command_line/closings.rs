@@ -171,6 +171,25 @@ fn half_of_what_is_required_takes_half_the_errors() {
     let share = of(&both) / of(&whole);
     assert!(share <= 0.5_f64.sqrt() * (1.0 + 1e-9), "{share}");
     near(&(angle(&both) / angle(&angles)).into(), share, 1e-9);
+    // What can hardly be reached by angles is no figure to build by, and where struts yield before that, it is said.
+    let codes = |found: &Value| -> Vec<String> {
+        found["notes"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|note| note["code"].as_str().unwrap().to_owned())
+            .collect()
+    };
+    let far = codes(&tolerance(&["--require", "surface=5", "--vary", "angle"]));
+    assert!(
+        ["beyond-proportion", "struts-yield"].iter().all(|code| far.iter().any(|one| one == code)),
+        "{far:?}"
+    );
+    let near_enough = codes(&tolerance(&["--require", "force=5", "--vary", "both"]));
+    assert!(
+        !near_enough.iter().any(|code| code == "beyond-proportion" || code == "struts-yield"),
+        "{near_enough:?}"
+    );
     // Of one face squares add.
     let list = (0..12).map(|id| id.to_string()).collect::<Vec<_>>().join(",");
     std::fs::write(folder.path().join("faces.json"), format!("[[{list}]]")).unwrap();

@@ -29,6 +29,29 @@ fn each_further_wire_of_a_cube_saves_an_edge() {
     assert!(!said.contains("\n1  "), "{said}");
 }
 
+/// What wires make twice is told of one of them each time: together it is what the row of so many wires says.
+#[test]
+fn what_wires_make_beside_each_other_is_told_of_one_of_them() {
+    for (wires, of_all) in [("2", 2), ("3", 1)] {
+        let found = plan("cube.obj", &["--wires", wires, "--double", "--json"]).ended(0).json();
+        assert_fits("plan", &found);
+        let routes: Vec<&Value> =
+            found["wires"].as_array().unwrap().iter().map(|wire| &wire["route"]).collect();
+        let told = |key: &str| routes.iter().map(|route| route[key].as_array().unwrap().len()).sum::<usize>();
+        assert_eq!(told("doubled") + told("beside"), of_all);
+        let mm = |key: &str| routes.iter().map(|route| route[key].as_f64().unwrap()).sum::<f64>();
+        let more = mm("length_mm") - 12.0 * 30.0;
+        assert!((mm("doubled_mm") + mm("beside_mm") - more).abs() < 1e-9, "{routes:?}");
+    }
+    let said = plan("cube.obj", &["--wires", "3", "--double"]).ended(0).err;
+    let lines = |of: &str| said.lines().filter(|line| line.contains(of)).count();
+    assert_eq!(
+        (lines("1 edge beside a wire before it, 30.0 mm"), lines("the least possible")),
+        (1, 0),
+        "{said}"
+    );
+}
+
 /// The first row is the doubling that other programs have found too.
 #[test]
 fn the_wires_of_a_mesh_share_what_is_doubled() {

@@ -8,7 +8,7 @@ mod searching;
 mod seen;
 mod stages;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point3;
 
@@ -193,6 +193,8 @@ pub struct WirePlan {
     pub proposal: Doubling,
     /// The route.
     pub route: Option<Route>,
+    /// The edges that it makes once more beside a wire before it, one of them for each time.
+    pub beside: Vec<EdgeId>,
     /// The positions of the route's vertices, in mm.
     pub path: Vec<Point3<f64>>,
     /// The frame in which the nominal program starts.
@@ -236,6 +238,7 @@ impl WirePlan {
             doubled,
             proposal,
             route,
+            beside: Vec::new(),
             path: Vec::new(),
             start: Frame::default(),
             nominal: None,
@@ -255,6 +258,12 @@ impl WirePlan {
     #[must_use]
     pub fn doubled_length(&self, wireframe: &Wireframe) -> Length {
         self.doubled.iter().map(|&edge| wireframe.edge_length(edge)).sum()
+    }
+
+    /// What the edges add that it makes beside a wire before it.
+    #[must_use]
+    pub fn length_beside(&self, wireframe: &Wireframe) -> Length {
+        self.beside.iter().map(|&edge| wireframe.edge_length(edge)).sum()
     }
 
     /// Whether the machine can make it: it has been compensated and no check objects.
@@ -322,11 +331,15 @@ fn plan_observed(
     }
     let added = |edges: &[EdgeId]| -> Length { edges.iter().map(|&edge| wireframe.edge_length(edge)).sum() };
     let is_cheapest = proposal.is_matched_by(added(&doubled));
+    let mut made = BTreeSet::new();
     let plan_one = |(index, route): (usize, Route)| {
+        let component = along(&route);
+        let beside = component.edges.iter().copied().filter(|edge| !made.insert(*edge)).collect();
         let doubled = routing::again(&route);
         let least = if is_cheapest { added(&doubled) } else { Length::ZERO };
         let proposal = Doubling { edges: Vec::new(), added: least };
-        let mut plan = WirePlan::new(along(&route), doubled, proposal, Some(route));
+        let mut plan = WirePlan::new(component, doubled, proposal, Some(route));
+        plan.beside = beside;
         (plan.scheduled, plan.searched) = (schedules.get(index).cloned(), searched);
         let of_all = if index == 0 { std::mem::take(&mut refusals) } else { Vec::new() };
         stages.run(index, &mut plan, of_all, &mut done);

@@ -194,9 +194,39 @@ pub fn tolerance(
             let angle = wires.effects(closing, &one_degree(), request.vary != VaryName::Feed)?;
             let found = wirebend_accuracy::tolerance(&feed, &angle, &required, vary).map_err(no_limit)?;
             notes.extend(wires.notes);
+            notes.extend(beyond_proportion(&found));
+            notes.extend(yields(&found, wires.material.section().yield_strength));
             Ok(ToleranceResponse::new(wires.material.id, &found, true, notes))
         }
     }
+}
+
+/// Bends and rotations that are off by more than so many degrees do not act in proportion any more: a sine is off by a thousandth.
+const PROPORTIONAL_DEG: f64 = 5.0;
+
+fn beyond_proportion(found: &Tolerance) -> Option<NoteReport> {
+    let degrees = found.angle_sigma.filter(|&degrees| degrees > PROPORTIONAL_DEG)?;
+    Some(NoteReport {
+        code: "beyond-proportion".into(),
+        count: 1,
+        message: format!(
+            "bends and rotations hardly matter to what is required: {degrees:.1}° are far beyond the {PROPORTIONAL_DEG}° up to which effects grow in proportion, and are no figure to build by"
+        ),
+        remedies: Vec::new(),
+    })
+}
+
+/// Hooke's law ends where struts yield.
+fn yields(found: &Tolerance, yield_mpa: f64) -> Option<NoteReport> {
+    let stress = found.achieved.stress;
+    (stress > yield_mpa).then(|| NoteReport {
+        code: "struts-yield".into(),
+        count: 1,
+        message: format!(
+            "with these the struts would bear {stress:.0} MPa and yield from {yield_mpa:.0} MPa on: require a stress below that, too"
+        ),
+        remedies: Vec::new(),
+    })
 }
 
 /// Struts that run through each other are none that could be built, and the figures are those of the frame as it is drawn.

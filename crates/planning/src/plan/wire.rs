@@ -48,6 +48,8 @@ impl WireReport {
                 doubled_mm: doubled.mm(),
                 optimal: plan.proposal.is_matched_by(doubled),
                 doubled: ids(&plan.doubled),
+                beside: ids(&plan.beside),
+                beside_mm: plan.length_beside(wireframe).mm(),
                 vertices: route.vertices().iter().map(|id| id.0).collect(),
                 edges: route.traversals.iter().map(|t| t.edge.0).collect(),
             }),

@@ -87,14 +87,18 @@ pub struct RouteReport {
     pub feeds: usize,
     /// Designed length of the wire, in mm: from vertex to vertex, before bends shorten it.
     pub length_mm: f64,
-    /// How many edges are travelled twice.
+    /// How many edges it travels twice.
     pub doubled_edges: usize,
     /// What they add, in mm.
     pub doubled_mm: f64,
-    /// Whether no other choice of edges adds less.
+    /// Whether no other choice of edges adds less; of several wires, whether none adds less to all of them together.
     pub optimal: bool,
     /// The edges that are travelled twice.
     pub doubled: Vec<u32>,
+    /// The edges that it makes once more beside a wire before it.
+    pub beside: Vec<u32>,
+    /// What these add, in mm.
+    pub beside_mm: f64,
     /// The vertices in the order of the walk.
     pub vertices: Vec<u32>,
     /// The edges in the order of the walk.
