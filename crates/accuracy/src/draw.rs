@@ -58,7 +58,11 @@ impl Terms {
         let mut normal = |ErrorTerm { bias, sigma }| {
             Normal::new(bias, sigma).map_or(bias, |normal| normal.sample(&mut random))
         };
-        let amounts = sources.iter().map(|source| normal(self.of(source.of))).collect();
+        let of = |source: &MisfitSource| {
+            let term = self.of(source.of);
+            ErrorTerm { bias: term.bias * source.side, ..term }
+        };
+        let amounts = sources.iter().map(|source| normal(of(source))).collect();
         if !self.bows() {
             return Draw { amounts, rises: Vec::new() };
         }

@@ -81,7 +81,8 @@ impl Prepared<'_> {
         let (mut squares, whole) = (Squares::default(), self.model.whole());
         let sources = &self.model.sources;
         // What is always off is one frame, whose effects count once.
-        let biased = self.own_ends(sources.iter().map(|source| (source, terms.of(source.of).bias)));
+        let biased =
+            self.own_ends(sources.iter().map(|source| (source, terms.of(source.of).bias * source.side)));
         for closed in self.close_all(closing, vec![biased]) {
             squares.add(&closed, surface, &whole);
         }

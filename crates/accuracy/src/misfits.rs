@@ -7,11 +7,8 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 use wirebend_core::bend::{Frame, NominalProgram};
+use wirebend_core::compensate::is_turn;
 use wirebend_core::simulate::ErrorSource;
-use wirebend_core::units::Angle;
-
-/// A turn below this is no motion of the machine, and has no error.
-const LEAST_TURN_DEG: f64 = 1e-6;
 
 /// A wire on the vertices of a frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,6 +41,8 @@ pub(super) struct MisfitSource {
     /// The wire and the step of its program.
     pub wire: usize,
     pub step: usize,
+    /// To which side its constant part is: 1, or -1 where a bend to the other side gets larger.
+    pub side: f64,
     /// What one mm or one radian of it does.
     pub changes: Vec<StrutMisfit>,
 }
@@ -52,24 +51,30 @@ pub(super) struct MisfitSource {
 pub(super) fn sources(wire: &FrameWire, index: usize, first: usize, lengths: &[f64]) -> Vec<MisfitSource> {
     let mut frame = wire.start;
     let mut found = Vec::new();
+    let mut has_bent = false;
     let program = &wire.program;
     for (step, (made, span)) in program.steps.iter().zip(&program.spans).enumerate() {
-        let mut add = |of, changes| found.push(MisfitSource { of, wire: index, step, changes });
-        add(ErrorSource::Feed, fed(span, first, lengths));
-        let is_turn = |turn: Angle| turn.deg().abs() > LEAST_TURN_DEG;
+        let mut add = |of, side, changes| found.push(MisfitSource { of, wire: index, step, side, changes });
+        add(ErrorSource::Feed, 1.0, fed(span, first, lengths));
         let along = frame.t();
         frame.rotate(made.rotate);
-        if is_turn(made.rotate) && is_turn(made.bend) && span.end > 0 {
+        // Before its first bend the head turns the wire as a whole.
+        if is_turn(made.rotate) && is_turn(made.bend) && has_bent && span.end > 0 {
             // The head turns the part beyond against the strut that was just fed: that is twisted.
             let turned = [Vector3::zeros(), -along];
             let strut = first + span.end - 1;
-            add(ErrorSource::Rotation, vec![StrutMisfit { strut, extra_length: 0.0, turned }]);
+            add(ErrorSource::Rotation, 1.0, vec![StrutMisfit { strut, extra_length: 0.0, turned }]);
         }
         if is_turn(made.bend) && span.end < lengths.len() {
             let turned = [frame.b(), Vector3::zeros()];
             let strut = first + span.end;
-            add(ErrorSource::Bend, vec![StrutMisfit { strut, extra_length: 0.0, turned }]);
+            add(
+                ErrorSource::Bend,
+                made.bend.signum(),
+                vec![StrutMisfit { strut, extra_length: 0.0, turned }],
+            );
         }
+        has_bent |= is_turn(made.bend);
         frame.bend(made.bend);
     }
     found
@@ -92,7 +97,7 @@ mod tests {
     use super::*;
     use crate::testing::deg;
     use nalgebra::Point3;
-    use wirebend_core::bend::program_of_path;
+    use wirebend_core::bend::{Step, program_of_path};
 
     fn wire(points: &[[f64; 3]]) -> (FrameWire, Vec<f64>) {
         let path: Vec<Point3<f64>> = points.iter().map(|&p| p.into()).collect();
@@ -115,6 +120,30 @@ mod tests {
         let of: Vec<(ErrorSource, usize)> =
             sources(&wire, 0, 0, &lengths).iter().map(|source| (source.of, source.step)).collect();
         assert_eq!(of, [(Feed, 0), (Bend, 0), (Feed, 1), (Rotation, 1), (Bend, 1), (Feed, 2)]);
+    }
+
+    /// What is always off makes each bend larger, and the head's way to the first bend turns the wire as a whole.
+    #[test]
+    fn a_bend_to_the_other_side_is_off_to_that_side() {
+        use ErrorSource::{Bend, Feed, Rotation};
+        let (mut wire, lengths) =
+            wire(&[[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [10.0, 10.0, 0.0], [20.0, 10.0, 0.0]]);
+        let turned = |step: &mut Step, rotate: f64| (step.rotate, step.bend) = (deg(rotate), -step.bend);
+        turned(&mut wire.program.steps[0], 30.0);
+        turned(&mut wire.program.steps[1], -10.0);
+        let sides: Vec<(ErrorSource, usize, f64)> = sources(&wire, 0, 0, &lengths)
+            .iter()
+            .map(|source| (source.of, source.step, source.side))
+            .collect();
+        let expected = [
+            (Feed, 0, 1.0),
+            (Bend, 0, -1.0),
+            (Feed, 1, 1.0),
+            (Rotation, 1, 1.0),
+            (Bend, 1, -1.0),
+            (Feed, 2, 1.0),
+        ];
+        assert_eq!(sides, expected);
     }
 
     #[test]

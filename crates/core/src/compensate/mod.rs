@@ -25,7 +25,7 @@ pub(crate) use feed::{corner, with_bend_before};
 pub use forming::approaches;
 use forming::{Commanded, Forming};
 pub(crate) use forming::{made_of, results};
-pub use motion::MotionModel;
+pub use motion::{MotionModel, is_turn};
 pub use program::{CompensatedProgram, NearCorner};
 pub use setback::{PegGeometry, PegGeometryError, PegRadius};
 pub use springback::{Springback, SpringbackCurve, SpringbackError, SpringbackPoint};

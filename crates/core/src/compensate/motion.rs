@@ -76,8 +76,10 @@ impl MotionModel {
 /// Less is what numbers are rounded by, degrees: no head turns so little.
 const LEAST_TURN_DEG: f64 = 1e-6;
 
-fn is_turn(rotate: Angle) -> bool {
-    rotate.abs().deg() > LEAST_TURN_DEG
+/// Whether an axis turns, and so can be off.
+#[must_use]
+pub fn is_turn(turn: Angle) -> bool {
+    turn.abs().deg() > LEAST_TURN_DEG
 }
 
 /// Where the drive stands within the backlash of the head.

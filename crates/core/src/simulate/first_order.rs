@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix3, Point3, Vector3};
 
-use super::wire::{Bow, corner_to_corner, turns};
+use super::wire::{Bow, corner_to_corner, rotations_made};
 use super::{BadErrorTerm, ErrorModel, ErrorSource, ErrorTerm, SimulationInput, formed};
 use crate::bend::Step;
 use crate::compensate::Compensation;
@@ -119,7 +119,7 @@ pub fn first_order(input: &SimulationInput, errors: &ErrorModel) -> Result<First
     let mut sums = ErrorSource::ALL.map(|_| Sum::new(vertices));
     let mut steps = vec![StepEffect::default(); formed.len()];
     let mut moves = Vec::new();
-    let turns = turns(&formed);
+    let rotations_made = rotations_made(&formed);
     for (k, effect) in steps.iter_mut().enumerate() {
         let mut by_length = Vec::new();
         let from = walk.by_length(k, &mut by_length);
@@ -134,7 +134,7 @@ pub fn first_order(input: &SimulationInput, errors: &ErrorModel) -> Result<First
         }
         walk.by_turn(k, walk.steps[k].t, &mut moves);
         let after = walk.steps[k].last + 1;
-        if turns[k] {
+        if rotations_made[k] {
             effect.rotate_mm = sums[1].add(rotation, &Moved { from: after, moves: &moves }).sqrt();
         }
         walk.by_turn(k, walk.steps[k].b, &mut moves);

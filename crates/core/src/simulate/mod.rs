@@ -33,7 +33,7 @@ fn formed(program: &CompensatedProgram, compensation: &Compensation) -> Vec<Step
 /// A constant error and the standard deviation of the random one, of a quantity in its own unit.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ErrorTerm {
-    /// Always added.
+    /// What is always off.
     pub bias: f64,
     /// Standard deviation; not negative.
     pub sigma: f64,
@@ -44,9 +44,9 @@ pub struct ErrorTerm {
 pub struct ErrorModel {
     /// Of each feed, in mm.
     pub feed_mm: ErrorTerm,
-    /// Of each rotation, in degrees.
+    /// Of each rotation that is made between two bends, in degrees.
     pub rotate_deg: ErrorTerm,
-    /// Of each bend, in degrees.
+    /// Of each bend, in degrees; its constant part makes a bend larger, to whichever side that goes.
     pub bend_deg: ErrorTerm,
     /// Of each strut: its bow, the rise of its arc over the distance of its ends, to a side that is left to chance. The ends of a bowed
     /// strut stay in line, as in the authors' model, but come closer together; vertices between them go aside.

@@ -7,7 +7,7 @@ use rand_distr::{Distribution as _, StandardNormal};
 
 use super::{ErrorModel, ErrorSource, SimulationInput};
 use crate::bend::{Frame, Step};
-use crate::compensate::{Compensation, ToldStep, with_bend_before};
+use crate::compensate::{Compensation, ToldStep, is_turn, with_bend_before};
 use crate::units::{Angle, Length};
 
 /// A wire as a program makes it when its motions are off.
@@ -63,17 +63,18 @@ pub(super) fn corner_to_corner(steps: &[Step], compensation: &Compensation) -> V
         .collect()
 }
 
-/// A rotation of less is none, degrees.
-const LEAST_TURN_DEG: f64 = 1e-6;
-
-/// Of each step whether its rotation is part of the shape, and so can be off: the head turns before a bend that is not the first. Before
-/// the first it turns the wire as a whole.
-pub(super) fn turns(formed: &[Step]) -> Vec<bool> {
-    let bends = |step: &Step| step.bend != Angle::ZERO;
-    let first = formed.iter().position(bends).unwrap_or(formed.len());
-    let turns =
-        |(k, step): (usize, &Step)| k > first && bends(step) && step.rotate.abs().deg() > LEAST_TURN_DEG;
-    formed.iter().enumerate().map(turns).collect()
+/// Of each step whether a rotation before its bend is part of the shape, and so can be off: what the head has turned since the bend
+/// before. Before the first bend it turns the wire as a whole.
+pub(super) fn rotations_made(formed: &[Step]) -> Vec<bool> {
+    let mut since: Option<Angle> = None;
+    let made = formed.iter().map(|step| {
+        since = since.map(|since| since + step.rotate);
+        if step.bend == Angle::ZERO {
+            return false;
+        }
+        since.replace(Angle::ZERO).is_some_and(is_turn)
+    });
+    made.collect()
 }
 
 /// One wire. `formed`: what its commands leave where nothing is off.
@@ -82,7 +83,7 @@ pub(super) fn turns(formed: &[Step]) -> Vec<bool> {
 /// which a vertex of the route lies, ending with 1. The first vertex is that of `start`.
 pub(super) fn imperfect(input: &SimulationInput, formed: &[Step], draw: &mut Draw) -> ImperfectWire {
     let mut told: Vec<ToldStep> = input.program.told().collect();
-    let turns = turns(formed);
+    let rotations_made = rotations_made(formed);
     let disturbed: Vec<Step> = told
         .iter_mut()
         .zip(formed)
@@ -93,9 +94,9 @@ pub(super) fn imperfect(input: &SimulationInput, formed: &[Step], draw: &mut Dra
             let mut off = |of, side: f64| {
                 if is_bend { Angle::computed(draw.error_with(of, side).to_radians()) } else { Angle::ZERO }
             };
-            // Drawn in any case, so that what is drawn after it does not depend on it.
+            // Drawn for every bend, so that what is drawn after it does not depend on it.
             let turned = off(ErrorSource::Rotation, 1.0);
-            let rotate = if turns[index] { formed.rotate + turned } else { formed.rotate };
+            let rotate = if rotations_made[index] { formed.rotate + turned } else { formed.rotate };
             // What is constant bends farther, to whichever side.
             let wrong = off(ErrorSource::Bend, formed.bend.signum());
             let side = told.side();
