@@ -299,7 +299,7 @@ impl Workspace {
 
     pub(crate) fn fixes(&self, asked: &FixesRequest, _: &dyn Progress) -> Result<FixesResponse, ApiError> {
         let app = self.installation();
-        // Before the copy: what is changed from here on ends the search of it.
+        // Before the copy: a check that is asked for from here on, as after each change, ends the search.
         let of = self.collision_checks.now();
         // The user keeps dragging meanwhile.
         let search = self.open().fix_search(&app)?;

@@ -61,6 +61,8 @@ pub(super) struct Asked<'a> {
     clearance: &'a Clearance<'a>,
     step: usize,
     strokes: &'a Strokes,
+    /// How far things have to stay from each other.
+    margin: Length,
     /// What counts of the wire, for each question that has come up.
     counting: Vec<(Phase, Touch, Vec<Interval>)>,
     /// The shapes of a wire that hangs, by what it depends on how it does.
@@ -69,7 +71,18 @@ pub(super) struct Asked<'a> {
 
 impl<'a> Asked<'a> {
     pub const fn new(clearance: &'a Clearance<'a>, step: usize, strokes: &'a Strokes) -> Self {
-        Self { clearance, step, strokes, counting: Vec::new(), shapes: Vec::new() }
+        let margin = clearance.wire.margin;
+        Self { clearance, step, strokes, margin, counting: Vec::new(), shapes: Vec::new() }
+    }
+
+    /// The same of what touches, without a margin.
+    pub fn touching(self) -> Self {
+        Self { margin: Length::ZERO, ..self }
+    }
+
+    /// Things meet where the centreline is so near, mm.
+    pub fn reach(&self) -> f64 {
+        self.clearance.wire.diameter.mm() / 2.0 + self.margin.mm()
     }
 
     /// The strokes of the step.
@@ -123,7 +136,7 @@ impl<'a> Asked<'a> {
                 parts: &this.counting[parts].2,
                 solid: &body.solid,
                 motion: &seen,
-                reach: clearance.wire.reach() + spread,
+                reach: this.reach() + spread,
                 tolerance,
             })?;
             let (stroke, time) = seen.stroke_at(near.time);
@@ -156,10 +169,9 @@ impl<'a> Asked<'a> {
         let leg = &clearance.centreline.legs[step];
         let out = if phase == Phase::Feed { leg.straight.from } else { leg.straight.to };
         let touch = match obstacle {
-            // A wire that is overbent presses on the vertices that it closes.
+            // A wire that is overbent presses on the vertices that it closes: by that the struts of these may be gone past.
             Obstacle::Stock if phase == Phase::Bend && !stroke.overbends() => {
-                let wire = &clearance.wire;
-                Touch::StockPassing { near: wire.diameter.mm() + wire.margin.mm().max(0.0) }
+                Touch::StockPassing { near: clearance.wire.diameter.mm() + self.margin.mm().max(0.0) }
             }
             Obstacle::Stock => Touch::Stock,
             Obstacle::Body(_) => Touch::Body { wire: body.contact_zone.mm(), vertex: body.vertex_zone.mm() },

@@ -133,7 +133,7 @@ impl Clearance<'_> {
                 .then(one.passed.total_cmp(&other.passed))
         });
         for first in &mut found {
-            let depth = self.depth(&first.contact);
+            let depth = self.depth_of(&first.contact, first.kind);
             // What only just is hit may be measured as not hit.
             first.depth = if first.kind == MeetsAs::Near { depth } else { depth.max(Length::ZERO) };
         }
@@ -157,7 +157,7 @@ impl Clearance<'_> {
         for one in all.into_iter().filter(|(obstacle, _)| asks_of(*obstacle)) {
             let Some((stroke, meeting)) = asked.first(one) else { continue };
             // What a wire that hangs may meet for all that is known of its shape is not met.
-            if self.hanging.is_some() && self.least(&mut asked, one) > self.wire.reach() + exact {
+            if self.hanging.is_some() && self.least(&mut asked, one) > asked.reach() + exact {
                 continue;
             }
             met.push(one.0);
@@ -175,14 +175,20 @@ impl Clearance<'_> {
     /// nearer than the margin.
     #[must_use]
     pub fn depth(&self, contact: &Contact) -> Length {
+        self.depth_of(contact, MeetsAs::Near)
+    }
+
+    /// The same by how they meet: what is hit is as deep with a margin as without, although more may come near at a vertex then.
+    fn depth_of(&self, contact: &Contact, kind: MeetsAs) -> Length {
         let body = match contact.obstacle {
             Obstacle::Body(index) => self.bodies.all.get(index),
             Obstacle::Stock => self.stock.get(contact.step),
         };
         let Some((body, moves)) = body.zip(self.moves(contact.step)) else { return Length::ZERO };
         let strokes = Strokes::new(self, &moves);
-        let mut asked = Asked::new(self, contact.step, &strokes);
-        let least = self.least(&mut asked, (contact.obstacle, body)).min(self.wire.reach());
+        let asked = Asked::new(self, contact.step, &strokes);
+        let mut asked = if kind == MeetsAs::Near { asked } else { asked.touching() };
+        let least = self.least(&mut asked, (contact.obstacle, body)).min(asked.reach());
         Length::computed(self.wire.diameter.mm() / 2.0 - least)
     }
 

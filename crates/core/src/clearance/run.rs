@@ -8,7 +8,7 @@ use super::body::{Body, MovesWith};
 use super::contact::Obstacle;
 use super::stroke::{Phase, StepRun};
 use super::wire::Clearance;
-use crate::units::Angle;
+use crate::units::{Angle, Length};
 
 /// A part of a step, by what it depends on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,15 +61,21 @@ impl Clearance<'_> {
         let told = self.bend.command(run.bend).unwrap_or(run.bend);
         let moves = self.moves_of(step, run, told)?;
         let strokes = Strokes::new(self, &moves);
-        let mut asked = Asked::new(self, step, &strokes);
         let bodies = || self.bodies.all.iter().enumerate().map(|(k, body)| (Obstacle::Body(k), body));
         let sure = bodies().filter(|(_, body)| body.measured);
         let estimated = bodies().filter(|(_, body)| !body.measured);
         let stock = (Obstacle::Stock, self.stock.get(step)?);
         let all = [stock].into_iter().chain(sure).chain(estimated);
-        all.filter(|(_, body)| part.concerns(body)).find_map(|one| {
+        let mut all = all.filter(|(_, body)| part.concerns(body));
+        let meets = |mut asked: Asked, one: (Obstacle, &Body)| {
             let mut wanted = strokes.past(one).filter(|strokes| part.has(strokes[0].phase));
-            wanted.any(|strokes| asked.ask(one, strokes, EXACT, first_contact).is_some()).then_some(one.0)
-        })
+            wanted.any(|strokes| asked.ask(one, strokes, EXACT, first_contact).is_some())
+        };
+        let asked = || Asked::new(self, step, &strokes);
+        // What may come near at a vertex is more with a clearance: what is hit there counts, too.
+        let touches = |one: (Obstacle, &Body)| {
+            one.0 == Obstacle::Stock && self.wire.margin > Length::ZERO && meets(asked().touching(), one)
+        };
+        all.find_map(|one| (meets(asked(), one) || touches(one)).then_some(one.0))
     }
 }

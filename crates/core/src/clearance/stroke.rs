@@ -35,8 +35,8 @@ pub(super) struct Stroke {
     pub side: f64,
     /// Centreline radius of the bend, mm.
     pub radius: f64,
-    /// The bend that is left in the wire, radians, not negative.
-    pub bend: f64,
+    /// The bend that stays in the wire, radians, not negative.
+    pub stays: f64,
     pub from: State,
     pub to: State,
 }
@@ -84,15 +84,15 @@ impl Stroke {
 
     /// Whether the wire is bent beyond what is left in it.
     pub fn overbends(&self) -> bool {
-        self.to.bent > self.bend
+        self.to.bent > self.stays
     }
 
     /// The same in one or two parts, of which only the second overbends.
     pub fn split(self) -> impl Iterator<Item = Self> {
-        let Self { from, to, bend, .. } = self;
-        let overbends_later = self.overbends() && from.bent < bend;
-        let time = if overbends_later { (bend - from.bent) / (to.bent - from.bent) } else { 1.0 };
-        let between = State { bent: bend.min(to.bent), ..self.at(time) };
+        let Self { from, to, stays, .. } = self;
+        let overbends_later = self.overbends() && from.bent < stays;
+        let time = if overbends_later { (stays - from.bent) / (to.bent - from.bent) } else { 1.0 };
+        let between = State { bent: stays.min(to.bent), ..self.at(time) };
         let first = if overbends_later { Self { to: between, ..self } } else { self };
         [first].into_iter().chain(overbends_later.then_some(Self { from: between, ..self }))
     }
@@ -173,7 +173,7 @@ pub(super) fn strokes(
         change(&mut state);
         if state != from {
             let side = bend.signum();
-            strokes.push(Stroke { phase, lie, side, radius, bend: bend.abs().rad(), from, to: state });
+            strokes.push(Stroke { phase, lie, side, radius, stays: bend.abs().rad(), from, to: state });
         }
     };
     go(Phase::Feed, &|state| state.fed = fed);

@@ -36,13 +36,6 @@ pub struct StockWire {
     pub hangs: Option<WireModel>,
 }
 
-impl StockWire {
-    /// Things meet where the centreline is so near, mm.
-    pub(super) fn reach(&self) -> f64 {
-        self.diameter.mm() / 2.0 + self.margin.mm()
-    }
-}
-
 /// A wire in a machine, whose steps are asked about one by one.
 #[derive(Debug, Clone)]
 pub struct Clearance<'a> {

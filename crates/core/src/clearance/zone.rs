@@ -204,19 +204,21 @@ impl Passed {
         let [own, next] = [self.of(step), self.of(step + 1)].map(|of| &self.struts[of]);
         let Some(first) = next.first() else { return 0.0 };
         let leaves = strut.leaves(end);
-        let sine = |way: Vector3<f64>| leaves.cross(&way).norm();
-        let one_way = |way: Vector3<f64>| if leaves.dot(&way) > 0.0 { sine(way) } else { 1.0 };
+        let sine_to = |way: Vector3<f64>| leaves.cross(&way).norm();
+        // Of a strut that goes away from the stock nothing is nearer than the vertex.
+        let one_way = |way: Vector3<f64>| if leaves.dot(&way) > 0.0 { sine_to(way) } else { 1.0 };
         let sine = if first.passage.from == vertex {
             let before = own.first().map_or(1.0, |own| one_way(own.leaves(0)));
             before.min(one_way(first.leaves(0)))
         } else {
-            sine(first.leaves(0))
+            sine_to(first.leaves(0))
         };
         // A wire that is not made as it is drawn misses the vertex by so much.
         let place = strut.laid.corners[end];
         let places = next.iter().flat_map(|one| one.at(vertex).map(|at| one.laid.corners[at]));
         let off = places.map(|other| (other - place).norm()).fold(f64::INFINITY, f64::min);
-        // At the vertex they lie on each other, so that one of them is aside by as much once more.
+        // At s from the vertex they are s sin apart, but for what they miss it by, and once more as far as one of two wires that cross at a
+        // vertex lies aside.
         if sine > 0.0 { strut.laid.arcs[end].max((near + off) / sine + near) } else { f64::INFINITY }
     }
 }

@@ -8,6 +8,17 @@ fn with_stock(path: &[[f64; 3]], vertices: &[u32]) -> Vec<Deep> {
 }
 
 fn with_stock_bent(path: &[[f64; 3]], vertices: &[u32], bend: &BendModel) -> Vec<Deep> {
+    of_path(path, vertices, bend, wire(), all_of)
+}
+
+/// What is asked of a wire along points.
+fn of_path<T>(
+    path: &[[f64; 3]],
+    vertices: &[u32],
+    bend: &BendModel,
+    wire: StockWire,
+    ask: impl FnOnce(Clearance) -> T,
+) -> T {
     let path: Vec<Point3<f64>> = path.iter().copied().map(Point3::from).collect();
     let (start, program) = program_of_path(&path, deg(1e-9)).unwrap();
     let bodies = Bodies::default();
@@ -20,7 +31,7 @@ fn with_stock_bent(path: &[[f64; 3]], vertices: &[u32], bend: &BendModel) -> Vec
         (Passage { edge, from, to }, Length::computed((path[k + 1] - path[k]).norm()))
     };
     let passages = program.spans.iter().map(|span| span.clone().map(passage).collect());
-    all_of(Clearance::new((start, &program.steps), None, passages.collect(), wire(), &bodies, bend))
+    ask(Clearance::new((start, &program.steps), None, passages.collect(), wire, &bodies, bend))
 }
 
 #[test]
@@ -89,11 +100,11 @@ fn a_strut_sweeps_through_the_stock_at_its_own_vertex() {
     let [contact] = &found[..] else { panic!("{found:?}") };
     assert_eq!((contact.step, contact.leg, contact.phase), (3, 0, Phase::Bend));
     assert!((contact.depth.mm() - 3.0).abs() < 0.2, "{contact:?}");
-    // To the other side it goes away from it, and 11 degrees beside it it only begins.
+    // To the other side it goes away from the strut, which is 11 degrees beside it when the bend begins.
     assert!(to([-20., 60., 0.]).is_empty());
 }
 
-/// Wherever a wire comes back to a vertex from the side, what it overbends goes past the strut there.
+/// The machine bends farther than stays in the wire: the stock goes past the vertex by that, and through the strut that ends there.
 #[test]
 fn a_wire_that_is_overbent_presses_on_the_vertex_that_it_closes() {
     let machine = published_machine();
@@ -124,5 +135,23 @@ proptest! {
         prop_assume!(turns > 0.3);
         let found = with_stock(&path, &[0, 1, 2, 3, 1]);
         prop_assert!(found.iter().all(|contact| contact.step != 2), "{found:?}");
+    }
+
+    /// With a clearance more may come near at a vertex: what is hit there all the same is hit as deep as without.
+    #[test]
+    fn what_is_hit_at_a_vertex_is_hit_with_a_clearance_too(
+        ends in prop::array::uniform3(-60.0..60.0_f64),
+        margin in 0.5..12.0_f64,
+    ) {
+        let path = [ends, [0., 0., 0.], [-60., -60., 0.], [0., -60., 0.], [0., 0., 0.]];
+        prop_assume!(ends.iter().map(|at| at * at).sum::<f64>() > 400.0);
+        let bend = BendModel { springback: None, setback: None, axis_limit: None, before_zero: false };
+        let hits = |margin: f64| -> Vec<FirstContact> {
+            let wire = StockWire { margin: mm(margin), ..wire() };
+            of_path(&path, &[0, 1, 2, 3, 1], &bend, wire, |clearance| {
+                clearance.first_contacts().into_iter().filter(FirstContact::hits).collect()
+            })
+        };
+        prop_assert_eq!(hits(0.0), hits(margin));
     }
 }
