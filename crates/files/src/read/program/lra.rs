@@ -40,7 +40,7 @@ pub(in crate::read) fn read(
     options: &ReadOptions,
 ) -> Result<Imported, ReadError> {
     let text = decode(bytes);
-    let table = Table::read(&text, source)?;
+    let table = Table::read(&text, source, 0)?;
     let mut notes = Notes::default();
     notes.add(NoteKind::CommentsIgnored, table.comments);
     let columns = Columns::of(&table, source, &mut notes)?;
@@ -65,7 +65,15 @@ pub(in crate::read) fn read(
     notes.add(NoteKind::LeftHanded, usize::from(over));
 
     let digit = table.last_place(columns.length);
-    let rows = Rows { table: &table, source, options, columns, factors, digit };
+    // Numbers that happen to be whole are no rounder than the lengths.
+    let of = |column: Option<usize>| column.map_or(digit, |column| table.last_place(column).min(digit));
+    let digits = Factors {
+        length: digit * factors.length,
+        radius: of(columns.radius) * factors.radius,
+        twist: of(columns.twist) * factors.twist,
+        angle: of(columns.angle) * factors.angle,
+    };
+    let rows = Rows { table: &table, source, options, columns, factors, digits };
     let mut steps: Vec<Step> = Vec::new();
     let mut lines = Vec::new();
     let mut before = Before::default();
@@ -92,11 +100,11 @@ struct Rows<'a> {
     options: &'a ReadOptions,
     columns: Columns,
     factors: Factors,
-    /// What the last digit of a length stands for, in the unit of the table.
-    digit: f64,
+    /// What the last digit of each stands for.
+    digits: Factors,
 }
 
-/// What one is in a column: mm or degrees.
+/// Something of each column, in mm or degrees: what one is, or a last digit.
 #[derive(Debug, Clone, Copy)]
 struct Factors {
     length: f64,
@@ -203,7 +211,8 @@ impl Rows<'_> {
         if arc.length_mm() == 0.0 {
             return 0.0;
         }
-        self.digit * self.factors.length * (1.0 + arc.angle_rad) + self.digit.to_radians() * arc.radius_mm
+        let Factors { length, radius, angle, .. } = self.digits;
+        length + radius * arc.angle_rad + angle.to_radians() * arc.radius_mm
     }
 
     fn rotation(&self, row: usize, before: &mut Before) -> Result<Angle, ReadError> {

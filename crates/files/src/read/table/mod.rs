@@ -19,6 +19,8 @@ use super::text::{Source, lines};
 pub(crate) struct Table<'a> {
     /// The first row, if it has words.
     pub(crate) header: Option<Vec<Column>>,
+    /// How many cells that row has, with those that have no name.
+    width: Option<usize>,
     /// The other rows with their line; empty cells at the end are cut off, blank lines left out.
     pub(crate) rows: Vec<(usize, Vec<Cow<'a, str>>)>,
     pub(crate) comments: usize,
@@ -48,16 +50,21 @@ impl<'a> Table<'a> {
         let (mut comments, mut handedness) = (0, None);
         let mut content = Vec::new();
         for (number, line) in lines(text).filter(|(_, line)| !line.trim().is_empty()) {
-            if line.trim_start().trim_start_matches('"').starts_with('#') {
+            if is_comment(line) {
                 comments += 1;
                 handedness = handedness.or_else(|| hand(line));
             } else {
                 content.push((number, line));
             }
         }
-        let separator = [';', '\t', ',']
-            .into_iter()
-            .find(|&mark| content.iter().any(|(_, line)| is_separated(line, mark)));
+        if separator(&content).is_none() {
+            // A spreadsheet that knew nothing of the mark has saved each row as one cell.
+            for (_, line) in &mut content {
+                *line = line.trim().trim_matches('"');
+            }
+        }
+        let separator = separator(&content);
+        let width = content.first().map_or(0, |(_, line)| all_cells(line, separator).len());
         let mut rows: Vec<(usize, Vec<Cow<str>>)> =
             content.into_iter().map(|(number, line)| (number, cells(line, separator))).collect();
         let is_header = rows.first().is_some_and(|(_, row)| {
@@ -69,13 +76,13 @@ impl<'a> Table<'a> {
         let handedness = handedness.or_else(|| header.iter().flatten().find_map(of_column));
         let decimal_comma = matches!(separator, Some(';' | '\t'))
             || rows.iter().flat_map(|(_, row)| row).any(|cell| is_decimal(cell));
-        Self { header, rows, comments, handedness, decimal_comma }
+        Self { width: header.as_ref().map(|_| width), header, rows, comments, handedness, decimal_comma }
     }
 
-    /// A table in which every cell has a column.
-    pub(crate) fn read(text: &'a str, source: Source<'_>) -> Result<Self, ReadError> {
+    /// A table in which every cell has a column, of which there are `least` even where the header has fewer.
+    pub(crate) fn read(text: &'a str, source: Source<'_>, least: usize) -> Result<Self, ReadError> {
         let table = Self::parse(text);
-        let columns = table.header.as_ref().map_or(usize::MAX, Vec::len);
+        let columns = table.width.map_or(usize::MAX, |width| width.max(least));
         if let Some((line, row)) = table.rows.iter().find(|(_, row)| row.len() > columns) {
             let expected = format!(
                 "up to {columns} cells, as the header has; numbers with a decimal comma stand between semicolons or in quotes"
@@ -156,7 +163,12 @@ impl Column {
         let mut words = words.map(str::to_lowercase);
         let name = words.next().unwrap_or_default();
         let more: Vec<String> = words.collect();
-        let unit = more.iter().find_map(|word| LengthUnit::from_word(word));
+        // "in" is an inch where it ends the name, as in "length in", and not in "length in mm".
+        let is_last = |k: usize| k + 1 == more.len();
+        let unit = more
+            .iter()
+            .enumerate()
+            .find_map(|(k, word)| LengthUnit::from_word(word).filter(|_| word != "in" || is_last(k)));
         let degrees = more.iter().find_map(|word| degrees(word)).unwrap_or(1.0);
         Self { text: cell.to_owned(), name, unit, degrees, more }
     }
@@ -175,12 +187,18 @@ fn hand(line: &str) -> Option<Handedness> {
     }
 }
 
+/// Whether a line is a comment, which a spreadsheet may have put in quotes; the cell `"#"` alone is the name of a column.
+fn is_comment(line: &str) -> bool {
+    let line = line.trim_start();
+    line.starts_with('#') || (line.starts_with("\"#") && !line.starts_with("\"#\""))
+}
+
 /// How many degrees a unit of angle is, by its name.
 fn degrees(word: &str) -> Option<f64> {
     match word {
         "deg" | "degree" | "degrees" => Some(1.0),
         "rad" | "radian" | "radians" => Some(1.0_f64.to_degrees()),
-        "gon" | "grad" | "gradian" | "gradians" => Some(0.9),
+        "gon" | "gradian" | "gradians" => Some(0.9),
         _ => None,
     }
 }
@@ -194,13 +212,22 @@ fn is_separated(line: &str, mark: char) -> bool {
     })
 }
 
-fn cells(line: &str, separator: Option<char>) -> Vec<Cow<'_, str>> {
+/// What stands between the cells of a table.
+fn separator(lines: &[(usize, &str)]) -> Option<char> {
+    [';', '\t', ','].into_iter().find(|&mark| lines.iter().any(|(_, line)| is_separated(line, mark)))
+}
+
+fn all_cells(line: &str, separator: Option<char>) -> Vec<Cow<'_, str>> {
     let plain = |cell: &'_ str| cell.trim().trim_matches('"').trim().to_owned();
-    let mut cells: Vec<Cow<str>> = match separator {
+    match separator {
         Some(mark) => quoted_cells(line, mark)
             .unwrap_or_else(|| line.split(mark).map(|cell| Cow::Owned(plain(cell))).collect()),
         None => line.split_whitespace().map(Cow::Borrowed).collect(),
-    };
+    }
+}
+
+fn cells(line: &str, separator: Option<char>) -> Vec<Cow<'_, str>> {
+    let mut cells = all_cells(line, separator);
     while cells.last().is_some_and(|cell| cell.is_empty()) {
         cells.pop();
     }
@@ -243,11 +270,12 @@ fn quoted_cell(text: &str) -> Option<(Cow<'_, str>, &str)> {
     }
 }
 
-/// Whether the comma of a number is a decimal mark for sure: one of thousands has three digits behind it.
+/// Whether the comma of a number is a decimal mark for sure: one of thousands has three digits behind it, and no zero before it.
 fn is_decimal(cell: &str) -> bool {
     let Some((before, behind)) = cell.split_once(',') else { return false };
     let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-    is_digits(before.trim_start_matches(['-', '+'])) && is_digits(behind) && behind.len() != 3
+    let before = before.trim_start_matches(['-', '+']);
+    is_digits(before) && is_digits(behind) && (behind.len() != 3 || before.starts_with('0'))
 }
 
 fn number_like(cell: &str) -> bool {
@@ -292,6 +320,11 @@ mod tests {
         {
             assert_eq!(first_row(text), numbers, "{text}");
         }
+        assert_eq!(first_row("\"0,125\",\"1,000\",2"), [Some(0.125), Some(1.0), Some(2.0)]);
+        // Each row saved as one cell.
+        assert_eq!(first_row("\"57.5;-90;3.25\"\n\"1;2;3\""), numbers);
+        let numbered = Table::parse("\"#\",\"x\",\"y\"\n1,2,3\n");
+        assert_eq!((numbered.column(&["x"]), numbered.comments), (Some(1), 0));
         // Of this nobody knows whether it is one or a thousand.
         let thousand = Table::parse("\"1,000\",2,3");
         assert!(thousand.value(Source { name: "t" }, 0, 0).is_err());
@@ -303,8 +336,8 @@ mod tests {
     #[test]
     fn a_row_with_more_cells_than_columns_is_refused() {
         let source = Source { name: "t" };
-        assert!(Table::read("x,y,z\n1,2,3\n1,2,3,,\n", source).is_ok());
-        let refused = Table::read("x,y,z\n1,2,3\n57,5,40,5,0,0\n", source).unwrap_err().to_string();
+        assert!(Table::read("x,y,z\n1,2,3\n1,2,3,,\n", source, 0).is_ok());
+        let refused = Table::read("x,y,z\n1,2,3\n57,5,40,5,0,0\n", source, 0).unwrap_err().to_string();
         assert!(
             refused.starts_with("t, line 3: found \"57 5 40 5 0 0\", expected up to 3 cells"),
             "{refused}"
@@ -336,5 +369,12 @@ mod tests {
         assert_eq!(table.header.as_ref().unwrap()[1].unit, Some(LengthUnit::Inch));
         assert_eq!((table.comments, table.rows.len()), (1, 1));
         assert!(Table::parse("1,2,3\nx,y,z").header.is_none());
+        let words = Table::parse("Length in mm;Angle in deg;Radius in;Turn [Grad]\n1;2;3;4\n");
+        let of: Vec<_> =
+            words.header.as_ref().unwrap().iter().map(|column| (column.unit, column.degrees)).collect();
+        assert_eq!(
+            of,
+            [(Some(LengthUnit::Millimetre), 1.0), (None, 1.0), (Some(LengthUnit::Inch), 1.0), (None, 1.0)]
+        );
     }
 }

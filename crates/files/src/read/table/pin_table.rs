@@ -45,14 +45,17 @@ const SHARES: [f64; 2] = [0.4, 0.6];
 pub fn pin_table(file: &str, bytes: &[u8]) -> Result<Vec<PinPair>, ReadError> {
     let source = Source { name: file };
     let text = decode(bytes);
-    let table = Table::read(&text, source)?;
+    let table = Table::read(&text, source, 2)?;
     let named = |names: &[&str], says| table.column(names).map(|column| (column, says));
     let named = named(&LEFT, Some(Says::Left)).or_else(|| named(&LOSS, Some(Says::Loss)));
     let (second, says) = named.or_else(|| Some((table.column(&EITHER)?, None))).unwrap_or((1, None));
     let pin = table.column(&["pin", "bend", "angle", "axis"]).unwrap_or(usize::from(second == 0));
     let mut rows = Vec::new();
     for (row, (line, _)) in table.rows.iter().enumerate() {
-        let value = |column: usize| table.value(source, row, column);
+        let value = |column: usize| {
+            let value = table.value(source, row, column)?;
+            Ok::<_, ReadError>(value.map(|value| value * table.degrees(Some(column))))
+        };
         if let (Some(pin), Some(second)) = (value(pin)?, value(second)?) {
             rows.push((*line, pin, second));
         }
@@ -110,6 +113,7 @@ mod tests {
         assert_eq!(pairs("20 5.5\n40 6\n60\n"), [(20.0, 14.5), (40.0, 34.0)]);
         assert_eq!(pairs("springback_angle,pin_angle\n5.5,-20\n6,40\n"), [(-20.0, -14.5), (40.0, 34.0)]);
         assert_eq!(pairs("pin,loss\n20,5.5\n"), [(20.0, 14.5)]);
+        assert_eq!(pairs("pin_gon,loss_deg\n\"40,0\",\"5,5\"\n"), [(36.0, 30.5)]);
         let lines: Vec<usize> =
             pin_table("t", b"pin,left\n9,1\n\n10,2\n").unwrap().iter().map(|pair| pair.line).collect();
         assert_eq!(lines, [2, 4]);

@@ -99,7 +99,7 @@ impl MeasuringSheet {
         };
         let (machine, material) = (needed("machine")?, needed("material")?);
         let bent = heading("bent").map(|ids| ids.split_whitespace().map(str::to_owned).collect());
-        let table = Table::read(&text, source)?;
+        let table = Table::read(&text, source, 0)?;
         let column = |name: &'static str| {
             let word = name.split('_').next().unwrap_or(name);
             let columns = || ErrorRemedy::NameColumns { columns: COLUMNS.join(", ") + ", reading_1, …" };

@@ -19,7 +19,7 @@ pub(in crate::read) fn read(
     options: &ReadOptions,
 ) -> Result<Imported, ReadError> {
     let text = decode(bytes);
-    let table = Table::read(&text, source)?;
+    let table = Table::read(&text, source, 0)?;
     let mut drawing = Drawing::default();
     drawing.notes.add(NoteKind::CommentsIgnored, table.comments);
     let columns = columns(&table, source, &mut drawing)?;
