@@ -117,7 +117,7 @@ fn what_comes_nearer_than_the_clearance_is_named() {
         assert!(!said.contains("meets_stock"), "{said}");
     }
     let said = check(&["--collisions", "--clearance", "2"]).ended(0).err;
-    let words = "warning[meets_stock]: step 3: the wire of edge 0 comes within 1.0 mm of the wire that is still to be bent";
+    let words = "warning[meets_stock]: step 3: the wire of edge 0 comes near the wire that is still to be bent when step 3";
     assert!(said.contains(words), "{said}");
     // A script that sorts by how deep it is would take the nearest for the deepest: how far they are apart does not depend on how
     // far they have to be.

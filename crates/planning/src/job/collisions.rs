@@ -246,15 +246,15 @@ mod tests {
 
         let mixed = lines(&[near.clone(), near.clone(), near.clone(), hit, error]);
         let [first, second, third, more] = &mixed[..] else { panic!("{mixed:?}") };
-        assert!(first.contains("goes 3.0 mm into"), "{first}");
-        assert!(second.contains("goes 2.0 mm into"), "{second}");
-        assert!(third.contains("comes within 1.0 mm of"), "{third}");
+        assert!(first.contains("goes 3.0 mm into it"), "{first}");
+        assert!(second.contains("goes 2.0 mm into it"), "{second}");
+        assert!(third.contains("comes within 1.0 mm of it"), "{third}");
         assert_eq!(more, "and 2 more");
 
         let only_near = lines(&[near]);
         let [none, place] = &only_near[..] else { panic!("{only_near:?}") };
         assert_eq!(none, "no collision found with the machine's bodies (5 of 6 bodies are estimates)");
-        assert!(place.contains("comes within 1.0 mm of"), "{place}");
+        assert!(place.contains("comes within 1.0 mm of it"), "{place}");
     }
 
     #[test]
@@ -276,7 +276,7 @@ mod tests {
         assert_eq!(lines(0, 6, 0), ["no collision found with the machine's bodies"]);
         assert!(lines(0, 0, 0)[0].contains("has no bodies"));
         assert_eq!(lines(3, 6, 6).len(), 3);
-        assert!(lines(1, 6, 6)[0].starts_with("the wire goes "), "{:?}", lines(1, 6, 6));
+        assert!(lines(1, 6, 6)[0].starts_with("the wire hits the "), "{:?}", lines(1, 6, 6));
         assert_eq!(lines(4, 6, 6)[3], "and 1 more");
         assert_eq!(lines(5, 6, 6)[3], "and 2 more");
         let said = JobCollisions::within(Duration::ZERO, &wire, &planned.setup).lines();

@@ -41,8 +41,22 @@ pub(super) fn meets_stock(at: &Location, meeting: &Meeting) -> String {
     meets(at, meeting, STOCK)
 }
 
+/// Where it first meets something, how deep it goes in that step, and in how many later steps they meet again.
 fn meets(at: &Location, meeting: &Meeting, what: &str) -> String {
-    format!("{} the {what}{}{}", goes_into(meeting), moment(at, meeting), again(meeting.later))
+    let Meeting { struck, depth, later, .. } = meeting;
+    let tenth = Mm(TENTH);
+    let (does, again, how) = if !meeting.hits() {
+        ("comes near", "comes near it", format!("comes within {:.1} of it", Mm((-depth.mm()).max(TENTH))))
+    } else if depth.mm() < TENTH / 2.0 {
+        ("hits", "hits it", format!("goes less than {tenth:.1} into it"))
+    } else {
+        ("hits", "hits it", format!("goes {depth:.1} into it"))
+    };
+    let then = match later {
+        0 => format!(", and {how}"),
+        _ => format!(", {how}, and {again} again in {}", count(*later, "later step", "later steps")),
+    };
+    format!("the wire{} {does} the {what}{}{then}", along(struck), moment(at, meeting))
 }
 
 /// How much was searched.
@@ -139,21 +153,6 @@ fn ends(routes: &[Route]) -> String {
     let more = all.len().saturating_sub(WIRES_NAMED);
     let rest = if more == 0 { String::new() } else { format!(", and {more} more") };
     format!(", {}{rest}", all[..all.len() - more].join(", "))
-}
-
-fn goes_into(meeting: &Meeting) -> String {
-    let Meeting { struck, depth, .. } = meeting;
-    if !meeting.hits() {
-        return format!("the wire{} comes within {:.1} of", along(struck), Mm((-depth.mm()).max(TENTH)));
-    }
-    if depth.mm() < TENTH / 2.0 {
-        return format!("the wire{} goes less than {:.1} into", along(struck), Mm(TENTH));
-    }
-    format!("the wire{} goes {depth:.1} into", along(struck))
-}
-
-fn again(later: usize) -> String {
-    if later == 0 { String::new() } else { format!(", and in {}", count(later, "later step", "later steps")) }
 }
 
 /// " of edge 3", or " of edges 3, 4" where a straight part has several.

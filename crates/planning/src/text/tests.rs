@@ -345,12 +345,14 @@ fn what_is_in_the_way_of_a_search_is_said_to_be_hit_only_where_it_is() {
 /// What only just touches is not said to go nowhere.
 #[test]
 fn how_deep_or_near_the_wire_is_never_reads_as_nothing() {
-    for (depth, words) in [
-        (2.13, "the wire goes 2.1 mm into the wire that is still to be bent"),
-        (0.07, "the wire goes 0.1 mm into the wire that is still to be bent"),
-        (0.0, "the wire goes less than 0.1 mm into the wire that is still to be bent"),
-        (-0.01, "the wire comes within 0.1 mm of the wire that is still to be bent"),
-        (-0.42, "the wire comes within 0.4 mm of the wire that is still to be bent"),
+    for (depth, later, does, then) in [
+        (2.13, 0, "hits", "and goes 2.1 mm into it"),
+        (0.07, 0, "hits", "and goes 0.1 mm into it"),
+        (0.0, 0, "hits", "and goes less than 0.1 mm into it"),
+        (-0.01, 0, "comes near", "and comes within 0.1 mm of it"),
+        (-0.42, 0, "comes near", "and comes within 0.4 mm of it"),
+        (2.13, 3, "hits", "goes 2.1 mm into it, and hits it again in 3 later steps"),
+        (-0.42, 1, "comes near", "comes within 0.4 mm of it, and comes near it again in 1 later step"),
     ] {
         let meeting = Meeting {
             struck: Vec::new(),
@@ -359,9 +361,12 @@ fn how_deep_or_near_the_wire_is_never_reads_as_nothing() {
             bent: deg(20.0),
             head: Angle::ZERO,
             depth: mm(depth),
-            later: 0,
+            later,
         };
-        says(at(&[]), Fact::MeetsStock(meeting), &format!("{words} when step 3 has bent it to 20.0°"));
+        let words = format!(
+            "the wire {does} the wire that is still to be bent when step 3 has bent it to 20.0°, {then}"
+        );
+        says(at(&[]), Fact::MeetsStock(meeting), &words);
     }
 }
 

@@ -96,7 +96,7 @@ fn a_collision_is_the_same_error_for_the_check_a_program_a_job_the_sheet_and_arm
     window.ask("order", arm(true));
     let asked = window.until(|state| state["question"].is_object());
     assert!(
-        asked["question"]["lines"].to_string().contains("into the wire that is still to be bent"),
+        asked["question"]["lines"].to_string().contains("hits the wire that is still to be bent"),
         "{asked}"
     );
 }
