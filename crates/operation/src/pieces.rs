@@ -10,6 +10,9 @@ use wirebend_planning::PlanningError;
 /// More pieces in a row nobody watches.
 const MAX_PIECES: u32 = 10_000;
 
+/// Lengths are printed to so many mm.
+const PRINTED_MM: f64 = 0.1;
+
 /// How many pieces are bent in a row, and from how much wire.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -72,10 +75,11 @@ impl Pieces {
     /// Refuses wire that does not suffice for one piece even when it is new.
     pub fn require_enough(&self, wire: &JobWire) -> Result<(), PlanningError> {
         match self.repeat.stock_mm {
-            Some(mm) if mm < self.needed_mm(wire) => Err(PlanningError::Value {
+            // A plan prints what is needed to a tenth.
+            Some(mm) if mm < self.needed_mm(wire) - PRINTED_MM / 2.0 => Err(PlanningError::Value {
                 input: None,
                 name: "the length of the wire",
-                value: format!("{:.0}", Mm(mm)),
+                value: format!("{mm:.1} mm of the {:.1} that one piece needs", Mm(self.needed_mm(wire))),
                 expected: "the stock of one piece at least, with its unusable tail",
             }),
             _ => Ok(()),
@@ -104,8 +108,13 @@ impl Pieces {
 
     /// A wire of so many mm came to its end.
     pub fn wire_made(&mut self, fed_mm: f64) {
-        self.left_mm = self.left_mm.map(|left| (left - fed_mm).max(0.0));
+        self.wire_fed(fed_mm);
         self.follows = true;
+    }
+
+    /// So many mm were fed of a wire that is in the machine.
+    pub fn wire_fed(&mut self, fed_mm: f64) {
+        self.left_mm = self.left_mm.map(|left| (left - fed_mm).max(0.0));
     }
 
     /// The last wire of a piece came to its end.
@@ -137,7 +146,7 @@ impl Pieces {
 
     /// Whether the wire that is left suffices; nothing where its length is not known.
     fn suffices(&self, wire: &JobWire) -> Option<bool> {
-        self.left_mm.map(|left| left >= self.needed_mm(wire))
+        self.left_mm.map(|left| left >= self.needed_mm(wire) - PRINTED_MM / 2.0)
     }
 
     /// Wire that has to be there, mm, with what cannot be fed. To a cutter outside of the machine it is fed farther.

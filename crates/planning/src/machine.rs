@@ -88,7 +88,13 @@ impl Setup {
     /// Wire that the commands of a job's wire feed, mm.
     #[must_use]
     pub fn fed_mm(&self, wire: &JobWire) -> f64 {
-        let commanded = wire.compensated.iter().map(|step| step.feed_mm).sum();
+        self.fed_in_mm(wire, wire.compensated.len())
+    }
+
+    /// The same of its first steps.
+    #[must_use]
+    pub fn fed_in_mm(&self, wire: &JobWire, steps: usize) -> f64 {
+        let commanded = wire.compensated.iter().take(steps).map(|step| step.feed_mm).sum();
         self.model.compensation.motion.fed(Length::from_mm(commanded).unwrap_or_default()).mm()
     }
 

@@ -1658,7 +1658,7 @@ export interface PredictionRequest {
    */
   seed: number;
   /**
-   * How close every vertex has to be to its place in 95 % of the wires, mm; then the answer says how exact a machine must be.
+   * How close each vertex, taken by itself, has to be to its place in 95 % of the wires, mm; then the answer says how exact a machine must be.
    */
   within_mm?: number | null;
 }

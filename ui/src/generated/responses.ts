@@ -1790,7 +1790,7 @@ export type Answer =
 /**
  * Why wires, or moves by hand, were not begun.
  */
-export type LeftBecause = "declined" | "nobody-asked";
+export type LeftBecause = "declined" | "nothing-to-resume" | "nobody-asked";
 /**
  * What became of a wire.
  */
@@ -5503,7 +5503,7 @@ export interface Prediction {
   wires: SimulatedWire[];
 }
 /**
- * How large errors may be so that every vertex is near enough to its place in 95 % of the wires.
+ * How large errors may be so that each vertex, taken by itself, is near enough to its place in 95 % of the wires.
  */
 export interface SimulatedTolerance {
   /**

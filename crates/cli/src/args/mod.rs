@@ -173,7 +173,7 @@ pub(crate) enum Subcommands {
         /// Where the random numbers start; the same seed gives the same wires
         #[arg(long, value_name = "S", default_value_t = 1)]
         seed: u64,
-        /// Say how exact a machine must be so that every vertex is this close to its place in 95 % of the wires, mm
+        /// Say how exact a machine must be so that each vertex, taken by itself, is this close to its place in 95 % of the wires, mm
         #[arg(long, value_name = "MM", allow_negative_numbers = true)]
         within: Option<f64>,
         /// Draw the design and the bent wires as SVG

@@ -22,6 +22,9 @@ pub(super) fn run(out: &mut impl Write, err: &mut impl Write, found: &RunRespons
         let left: Vec<String> = found.left.iter().map(|wire| (wire + 1).to_string()).collect();
         let why = match found.left_because {
             Some(LeftBecause::Declined) => "as you said",
+            Some(LeftBecause::NothingToResume) => {
+                "so that there is nothing to resume: run each with --wire N"
+            }
             Some(LeftBecause::NobodyAsked) => {
                 "because it could not be confirmed that the next wire is loaded: run each with --wire N"
             }

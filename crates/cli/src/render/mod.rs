@@ -116,7 +116,7 @@ fn status(response: &Response) -> u8 {
             if found.left_because.is_some() =>
         {
             return match found.left_because {
-                Some(LeftBecause::NobodyAsked) => exit::USAGE,
+                Some(LeftBecause::NobodyAsked | LeftBecause::NothingToResume) => exit::USAGE,
                 Some(LeftBecause::Declined) | None => exit::STOPPED,
             };
         }
@@ -178,7 +178,7 @@ fn status_of_run(found: &RunResponse) -> u8 {
             if stopped { exit::STOPPED } else { exit::FAILURE }
         }
         Some(LeftBecause::Declined) => exit::STOPPED,
-        Some(LeftBecause::NobodyAsked) => exit::USAGE,
+        Some(LeftBecause::NobodyAsked | LeftBecause::NothingToResume) => exit::USAGE,
         None => exit::DONE,
     }
 }

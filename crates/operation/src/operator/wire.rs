@@ -86,10 +86,7 @@ impl<'a> OperatorThread<'a> {
                 connection.wire_bent |= !response.wires.is_empty();
             }
             let whole = response.wires.last().is_some_and(|made| made.outcome.is_whole());
-            if whole {
-                task.wire_made(wire, rest.is_empty())?;
-                response.pieces = task.pieces.get().report();
-            }
+            task.wire_ended(wire, rest.is_empty(), &mut response)?;
             let after = match (row, &mut self.connection) {
                 (Some(row), Some(connection)) if whole => task.cut_off(connection, row, &mut response),
                 _ => AfterCut::Asks,

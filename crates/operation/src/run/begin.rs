@@ -46,6 +46,7 @@ impl Task<'_> {
             let homes = connection.can_home();
             let WirePermit { wire: permit, row: of_row } = permit;
             let (back, made) = self.make(connection, wire, homes, permit, &mut response);
+            self.wire_ended(wire, rest.is_empty(), &mut response)?;
             made?;
             // It is given back where the wire was finished or interrupted.
             let Some(back) = back else { return Ok(response) };
@@ -54,8 +55,6 @@ impl Task<'_> {
                 response.left = rest.to_vec();
                 break;
             }
-            self.wire_made(wire, rest.is_empty())?;
-            response.pieces = self.pieces.get().report();
             if let Some(of_row) = of_row {
                 row = match self.cut_off(&mut connection, of_row, &mut response) {
                     AfterCut::GoesOn(row) => Some(row),
@@ -137,14 +136,30 @@ impl Task<'_> {
         Ok(())
     }
 
-    /// A wire came to its end; `last`: it is the last of its piece.
-    pub fn wire_made(&self, wire: usize, last: bool) -> Result<(), OperationError> {
+    /// What became of the wire that was bent last counts for the pieces, and for the wire that is left. `last`: it is the last of its piece.
+    pub fn wire_ended(
+        &self,
+        wire: usize,
+        last: bool,
+        response: &mut RunResponse,
+    ) -> Result<(), OperationError> {
+        let Some(run) = response.wires.last() else { return Ok(()) };
+        let of_job = self.wire(wire)?;
         let mut pieces = self.pieces.get();
-        pieces.wire_made(self.setup.fed_mm(self.wire(wire)?));
-        if last {
-            pieces.piece_made();
+        if run.outcome.is_whole() {
+            pieces.wire_made(self.setup.fed_mm(of_job));
+            if last {
+                pieces.piece_made();
+            }
+        } else {
+            // What may have been done counts: rather too little is said to be left than too much.
+            let done = run.in_doubt.map_or(run.made, |[_, last]| last);
+            let whole = self.setup.fed_in_mm(of_job, done as usize);
+            let part = run.stopped_in.as_ref().filter(|stopped| stopped.step > done);
+            pieces.wire_fed(whole + part.map_or(0.0, |stopped| stopped.made.feed_mm));
         }
         self.pieces.set(pieces);
+        response.pieces = pieces.report();
         Ok(())
     }
 

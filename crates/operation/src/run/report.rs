@@ -43,6 +43,8 @@ pub struct RunResponse {
 pub enum LeftBecause {
     /// A person has said no.
     Declined,
+    /// What was interrupted is resumed; these were never begun.
+    NothingToResume,
     /// There was no user to ask whether the next wire is in the machine, or where its axes stand.
     NobodyAsked,
 }

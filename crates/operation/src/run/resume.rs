@@ -12,7 +12,7 @@ use super::about::{about, first};
 use super::doubt::{is_settled, said_before};
 use super::interrupted::Interrupted;
 use super::making::{Making, Watch};
-use super::report::{RunOutcome, RunResponse, WireRun};
+use super::report::{LeftBecause, RunOutcome, RunResponse, WireRun};
 use super::task::Task;
 use crate::live::{Connection, Unnamed, ask_permit, connect, refused};
 use crate::{Decided, LiveProblem, OperationError};
@@ -187,7 +187,11 @@ impl Task<'_> {
     pub fn interrupted(&self, response: &mut RunResponse) -> Result<Option<Interrupted>, OperationError> {
         let (mut open, mut over) = (Vec::new(), Vec::new());
         for wire in self.wanted() {
-            let Some(kept) = self.last(wire)? else { continue };
+            let Some(kept) = self.last(wire)? else {
+                response.left.push(wire);
+                response.left_because = Some(LeftBecause::NothingToResume);
+                continue;
+            };
             match &kept.read {
                 Ok(written) if written.state.is_over() => over.push((wire, kept)),
                 _ => open.push((wire, kept)),

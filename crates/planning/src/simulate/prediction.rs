@@ -23,7 +23,7 @@ pub struct PredictionRequest {
     pub runs: u32,
     /// Where the random numbers start: the same seed, the same wires.
     pub seed: u64,
-    /// How close every vertex has to be to its place in 95 % of the wires, mm; then the answer says how exact a machine must be.
+    /// How close each vertex, taken by itself, has to be to its place in 95 % of the wires, mm; then the answer says how exact a machine must be.
     #[serde(default)]
     #[schemars(range(min = 0.0))]
     pub within_mm: Option<f64>,

@@ -18,7 +18,7 @@ const EXACT: f64 = 2e-3;
 /// The most values that are tried.
 const TRIES: usize = 24;
 
-/// How large errors may be so that every vertex is near enough to its place in 95 % of the wires.
+/// How large errors may be so that each vertex, taken by itself, is near enough to its place in 95 % of the wires.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct SimulatedTolerance {
     /// How near, mm.

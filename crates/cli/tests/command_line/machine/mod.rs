@@ -19,6 +19,7 @@ mod heads;
 mod interrupted;
 #[cfg(target_os = "linux")]
 mod lost;
+mod pieces;
 #[cfg(target_os = "linux")]
 mod random_stops;
 mod runs;

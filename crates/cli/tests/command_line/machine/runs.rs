@@ -291,28 +291,6 @@ fn one_yes_is_for_one_wire() {
     assert!(said.contains("'--wire <N>'"), "{said}");
 }
 
-/// What is simulated is in nobody's way, and so one yes is for all pieces; each has its record.
-#[test]
-fn one_yes_is_for_all_pieces_of_a_simulated_machine() {
-    let shop = Shop::cube();
-    let made = shop.make(&["--yes", "--json", "--repeat", "2", "--stock", "2000"]).ended(0).json();
-    assert_fits("run", &made);
-    assert_eq!((&made["pieces"]["made"], &made["pieces"]["of"]), (&json!(2), &json!(2)));
-    assert_eq!((made["wires"].as_array().unwrap().len(), &made["left"]), (2, &json!([])));
-    assert_eq!(shop.list().len(), 2);
-}
-
-/// A second piece would be bent into the first one, which nobody has cut off, however long the wire is.
-#[cfg(target_os = "linux")]
-#[test]
-fn one_yes_is_refused_for_several_pieces_of_a_real_machine_before_anything_moves() {
-    let (shop, board) = (Shop::cube(), super::board::Board::new(true));
-    let run = ["run", "a.wbjob", "--port", &board.port, "--yes", "--repeat", "2", "--stock", "9000"];
-    let said = shop.run(&[&run[..], &["--accept-settings"]].concat()).ended(2).err;
-    assert!(said.contains("cut off") && said.contains("leave out --yes"), "{said}");
-    assert!(shop.list().is_empty(), "nothing was begun");
-}
-
 #[test]
 fn records_are_kept_where_they_shall_be() {
     let shop = Shop::cube();
