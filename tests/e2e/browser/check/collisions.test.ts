@@ -77,7 +77,7 @@ it("stops playing where the wire hits something, says what, and plays on", async
   await slider().fill(String(Math.floor(contact.step)));
   await animate().getByRole("button", { name: "Play" }).click();
   await hit()
-    .getByText(new RegExp(`into the ${contact.finding.body} when step ${contact.step + 1}`))
+    .getByText(new RegExp(`hits the ${contact.finding.body} when step ${contact.step + 1}`))
     .waitFor();
   await animate().getByRole("button", { name: "Play" }).waitFor();
   expect(Number(await slider().inputValue())).toBeCloseTo(position(), 1);
