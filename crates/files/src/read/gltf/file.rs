@@ -50,6 +50,15 @@ pub(super) struct Node {
     pub(super) translation: Option<[f64; 3]>,
     pub(super) rotation: Option<[f64; 4]>,
     pub(super) scale: Option<[f64; 3]>,
+    pub(super) extensions: NodeExtensions,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct NodeExtensions {
+    /// Copies of its mesh in other places.
+    #[serde(rename = "EXT_mesh_gpu_instancing")]
+    pub(super) copies: Option<serde::de::IgnoredAny>,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -64,6 +73,8 @@ pub(super) struct Primitive {
     pub(super) attributes: std::collections::BTreeMap<String, usize>,
     pub(super) indices: Option<usize>,
     pub(super) mode: Option<u32>,
+    /// Other shapes, into which it morphs.
+    pub(super) targets: Vec<serde::de::IgnoredAny>,
 }
 
 #[derive(Debug, Deserialize)]

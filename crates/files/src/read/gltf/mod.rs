@@ -60,7 +60,8 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     drawing.notes.add(NoteKind::ElementsIgnored, root.animations.len() + root.cameras.len());
     drawing.notes.add(NoteKind::ImagesIgnored, root.images.len());
     let data = Data::new(source, &root, binary, Beside::new(options.folder.as_deref()));
-    let mut walk = Walk { data, drawing, open: Vec::new(), met: 0, corners: 0 };
+    let seen = vec![false; root.nodes.len()];
+    let mut walk = Walk { data, drawing, open: Vec::new(), seen, met: 0, corners: 0 };
     let upright = Affine3::from_matrix_unchecked(Matrix4::new(
         1.0, 0.0, 0.0, 0.0, //
         0.0, 0.0, -1.0, 0.0, //
@@ -75,6 +76,10 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     for node in nodes {
         walk.node(node, &upright)?;
     }
+    // Those of other scenes.
+    let left =
+        root.nodes.iter().zip(&walk.seen).filter(|(node, seen)| node.mesh.is_some() && !**seen).count();
+    walk.drawing.notes.add(NoteKind::ElementsIgnored, left);
     walk.drawing.finish(Format::Gltf, source, options)
 }
 
@@ -94,6 +99,8 @@ struct Walk<'a> {
     drawing: Drawing,
     /// The nodes that are open.
     open: Vec<usize>,
+    /// The nodes that were met.
+    seen: Vec<bool>,
     /// Nodes and primitives met: a damaged file may hold one many times.
     met: usize,
     /// Corners of all primitives, drawn or not: reading them takes its time, too.
@@ -113,9 +120,14 @@ impl Walk<'_> {
         if self.open.len() == MAX_DEPTH {
             return Err(ReadError::TooDeep { file, place, what: "nodes in nodes are", limit: MAX_DEPTH });
         }
+        if let Some(seen) = self.seen.get_mut(index) {
+            *seen = true;
+        }
         let map = map * own_map(node);
         if let Some(mesh) = node.mesh {
-            self.drawing.notes.add(NoteKind::ElementsIgnored, usize::from(node.skin.is_some()));
+            let has = [node.skin.is_some(), node.extensions.copies.is_some()];
+            let more = has.into_iter().filter(|has| *has).count();
+            self.drawing.notes.add(NoteKind::ElementsIgnored, more);
             for primitive in &self.data.get(&root.meshes, mesh, "mesh")?.primitives {
                 source.room_within(place.clone(), self.met, "nodes and primitives, with those within")?;
                 self.met += 1;
@@ -238,6 +250,7 @@ impl Walk<'_> {
             };
             self.drawing.notes.add(kind, count);
         }
+        self.drawing.notes.add(NoteKind::ElementsIgnored, primitive.targets.len());
     }
 }
 

@@ -179,6 +179,17 @@ fn a_gltf_model_is_in_metres_and_stands_up() {
     }
 }
 
+/// A skin, two shapes to morph into, copies elsewhere, and the mesh of another scene: what is not read is counted.
+#[test]
+fn what_a_gltf_model_has_besides_is_counted() {
+    let nodes = "[{\"mesh\": 0, \"skin\": 0, \"extensions\": {\"EXT_mesh_gpu_instancing\": {\"attributes\": {}}}}, {\"mesh\": 0}]";
+    let morphs =
+        QUAD.replace("\"indices\": 1", "\"indices\": 1, \"targets\": [{\"POSITION\": 0}, {\"POSITION\": 0}]");
+    let imported = import("a.glb", glb(&scene(nodes, &morphs, "{}"), &buffer())).unwrap();
+    assert_eq!(faces(&imported).len(), 2);
+    assert!(notes(&imported.notes).contains(&"5 other elements ignored".to_owned()), "{:?}", imported.notes);
+}
+
 #[test]
 fn nodes_move_turn_and_scale() {
     // Doubled in x, turned by 90° about y (x to -z, z to x), moved by 1 in z; then mirrored in x by a matrix.
