@@ -210,7 +210,7 @@ fn beyond_proportion(found: &Tolerance) -> Option<NoteReport> {
         code: "beyond-proportion".into(),
         count: 1,
         message: format!(
-            "bends and rotations hardly matter to what is required: {degrees:.1}° are far beyond the {PROPORTIONAL_DEG}° up to which effects grow in proportion, and are no figure to build by"
+            "{degrees:.1}° are beyond the {PROPORTIONAL_DEG}° up to which effects grow in proportion: bends and rotations hardly limit what is required, and this is no figure to build by"
         ),
         remedies: Vec::new(),
     })
