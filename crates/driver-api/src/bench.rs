@@ -28,6 +28,19 @@ pub struct BenchBender {
     pub orbit_offset_mm: f64,
     /// How far the bend axis goes to each side, degrees. At zero the middle of the peg is on the wire's axis.
     pub axis_limit_deg: f64,
+    /// Wire that is fed for each mm that the motor makes by its steps.
+    #[serde(default = "exact")]
+    pub feed_scale: f64,
+    /// What each turn of the head is off by, degrees, in the machine's sign.
+    #[serde(default)]
+    pub rotate_offset_deg: f64,
+    /// What a turn of the head loses that goes against the one before, degrees.
+    #[serde(default)]
+    pub rotate_backlash_deg: f64,
+}
+
+const fn exact() -> f64 {
+    1.0
 }
 
 /// A round wire.

@@ -12,6 +12,7 @@ use wirebend_files::document::{Job, JobPause, JobWire};
 use wirebend_profile::{BendFigures, MachineProfile, MaterialProfile, Resolved};
 
 use crate::machine::{Setup, told_steps};
+use crate::signs::Signs;
 use crate::{DriverProblem, Installation, PlanningError};
 
 /// The machine's driver with the settings of its profile.
@@ -50,7 +51,7 @@ impl SimulatedAs {
         let machine = self.machine.as_deref().map(|id| app.library.machine(id)).transpose()?;
         let material = self.material.as_deref().map(|id| app.library.material(id)).transpose()?;
         let machine = machine.as_ref().unwrap_or(&planned.machine);
-        let bench = bench(machine, material.as_ref().unwrap_or(&planned.material))?;
+        let bench = bench(machine, material.as_ref().unwrap_or(&planned.material), planned.signs)?;
         bench.ok_or_else(|| PlanningError::NoBender { machine: machine.profile.id.clone() })
     }
 }
@@ -70,7 +71,7 @@ pub fn work(setup: &Setup, job: &Job, name: &str, index: usize) -> Result<WireJo
         stock_mm: Some(wire.stock_mm),
         wire: index,
         steps: u32::try_from(steps.len()).map_err(|_| damaged("it has too many steps"))?,
-        bench: bench(&setup.machine, &setup.material)?.map(Box::new),
+        bench: bench(&setup.machine, &setup.material, setup.signs)?.map(Box::new),
         ..api::Run::default()
     };
     let pause = |JobPause { after, note }: &JobPause| PauseAfter { after: *after, note: note.clone() };
@@ -90,6 +91,7 @@ fn estimates(setup: &Setup, wire: &JobWire) -> Result<Vec<Duration>, PlanningErr
 fn bench(
     machine: &Resolved<MachineProfile>,
     material: &Resolved<MaterialProfile>,
+    signs: Signs,
 ) -> Result<Option<Bench>, PlanningError> {
     let (machine, wire) = (machine.figures()?, material.figures()?);
     let BendFigures::Peg { rod_radius_mm, orbit_radius_mm, orbit_offset_mm, axis_limit_deg, .. } =
@@ -105,6 +107,9 @@ fn bench(
             orbit_radius_mm,
             orbit_offset_mm,
             axis_limit_deg,
+            feed_scale: machine.feed_scale,
+            rotate_offset_deg: signs.head(machine.rotate_offset_deg),
+            rotate_backlash_deg: machine.rotate_backlash_deg,
         },
         wire: BenchWire {
             diameter_mm: wire.diameter_mm,

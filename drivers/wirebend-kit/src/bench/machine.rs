@@ -8,7 +8,7 @@ use super::incident::{Incident, ModelWarning, Violation};
 use super::made::Made;
 use super::noise::{Draws, Noise};
 use super::press::{Compliance, Press};
-use super::settings::{BenchError, Bender, Scale, Wire, demand, positive};
+use super::settings::{BenchError, Bender, Drives, Scale, Wire, demand, positive};
 
 /// Peg and wire that overlap by less than this only touch. Radians, 0.06 degrees: some steps of the
 /// bend axis.
@@ -72,6 +72,10 @@ pub struct Bench {
     bend_steps: i64,
     /// What errors have turned the head by, degrees.
     head_error_deg: f64,
+    drives: Drives,
+    /// Where the drive stands within the backlash of the head, from where it turns the head to the negative side. Before the first turn
+    /// it stands where that turn needs it.
+    slack_deg: Option<f64>,
     motion: Option<Motion>,
     peg: Peg,
     pub(super) stroke: Option<Stroke>,
@@ -99,6 +103,8 @@ impl Bench {
             head_steps: 0,
             bend_steps: 0,
             head_error_deg: 0.0,
+            drives: Drives::EXACT,
+            slack_deg: None,
             motion: None,
             peg: Peg::In,
             stroke: None,
@@ -111,6 +117,16 @@ impl Bench {
     /// [`BenchError::Figure`] where an error is not a finite number or its deviation negative.
     pub fn with_noise(mut self, noise: &Noise) -> Result<Self, BenchError> {
         self.draws = Some(Draws::new(noise)?);
+        Ok(self)
+    }
+
+    /// The same with a feed and a head that do not make what their pulses say.
+    ///
+    /// # Errors
+    /// [`BenchError::Figure`] where the scale is not positive, the offset not finite or the backlash negative.
+    pub fn with_drives(mut self, drives: Drives) -> Result<Self, BenchError> {
+        drives.check()?;
+        self.drives = drives;
         Ok(self)
     }
 
@@ -276,7 +292,7 @@ impl Bench {
         let sign = if motion.forward { 1.0 } else { -1.0 };
         match (motion.axis, &mut self.draws) {
             (Axis::Feed, draws) => {
-                let told = sign * motion.steps * self.scale.feed_mm_per_step;
+                let told = sign * motion.steps * self.scale.feed_mm_per_step * self.drives.feed_scale;
                 let error = draws.as_mut().map_or(0.0, |draws| draws.feed_mm.next());
                 let by_mm = self.chain.feed(told + error) + error.min(0.0);
                 // A feed that only its error makes too short is no mistake of the controller.
@@ -284,9 +300,23 @@ impl Bench {
                     self.record(Violation::PulledTooFar { by_mm });
                 }
             }
-            (Axis::Rotate, Some(draws)) => self.head_error_deg += draws.rotate_deg.next(),
-            (Axis::Rotate | Axis::Bend, _) => {}
+            (Axis::Rotate, draws) => {
+                let error = draws.as_mut().map_or(0.0, |draws| draws.rotate_deg.next());
+                let turn_deg = motion.steps * self.scale.rotate_deg_per_step;
+                let lost_deg = self.take_up_backlash(motion.forward, turn_deg);
+                self.head_error_deg += self.drives.rotate_offset_deg - sign * lost_deg + error;
+            }
+            (Axis::Bend, _) => {}
         }
+    }
+
+    /// What of a turn the drive makes before the head turns with it.
+    fn take_up_backlash(&mut self, forward: bool, turn_deg: f64) -> f64 {
+        let end = if forward { self.drives.rotate_backlash_deg } else { 0.0 };
+        let at = self.slack_deg.unwrap_or(end);
+        let lost = (end - at).abs().min(turn_deg);
+        self.slack_deg = Some(if forward { at + lost } else { at - lost });
+        lost
     }
 
     /// The peg comes up on one side of the wire, or into it.

@@ -70,4 +70,4 @@ pub use machine::{Bench, Peg};
 pub use made::{Made, MadeBend};
 pub use noise::{ErrorTerm, Noise};
 pub use press::Compliance;
-pub use settings::{BenchError, Bender, Scale, Wire};
+pub use settings::{BenchError, Bender, Drives, Scale, Wire};

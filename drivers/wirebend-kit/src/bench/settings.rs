@@ -113,6 +113,31 @@ impl Scale {
     }
 }
 
+/// What feed and head make of their pulses besides: a machine that was calibrated knows it of itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drives {
+    /// Wire fed for each mm that the pulses make.
+    pub feed_scale: f64,
+    /// What each turn of the head is off by.
+    pub rotate_offset_deg: f64,
+    /// What a turn of the head loses that goes against the one before.
+    pub rotate_backlash_deg: f64,
+}
+
+impl Drives {
+    /// Feed and head do what their pulses say.
+    pub const EXACT: Self = Self { feed_scale: 1.0, rotate_offset_deg: 0.0, rotate_backlash_deg: 0.0 };
+
+    pub(super) fn check(&self) -> Result<(), BenchError> {
+        positive("the scale of the feed", self.feed_scale)?;
+        let offset = self.rotate_offset_deg;
+        demand(offset.is_finite(), "the offset of the head", offset, "a finite angle")?;
+        let backlash = self.rotate_backlash_deg;
+        let fits = backlash.is_finite() && backlash >= 0.0;
+        demand(fits, "the backlash of the head", backlash, "an angle of zero or more")
+    }
+}
+
 /// Why there is no such bench.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum BenchError {

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use wirebend_driver_api::{Axis, Bench as BenchFigures, BenchBender, BenchWire, DriverError, Event, Spread};
 
 use super::transport::Transport;
-use crate::bench::{Bench, BenchError, Bender, Compliance, ErrorTerm, Noise, Peg, Scale, Wire};
+use crate::bench::{Bench, BenchError, Bender, Compliance, Drives, ErrorTerm, Noise, Peg, Scale, Wire};
 use crate::controller::{Controller, HZ, Observation, Observed};
 use crate::link::{Link, MachineEvent, Request};
 use crate::protocol::{Machine, Reset};
@@ -157,8 +157,16 @@ impl Simulated {
     }
 
     fn bench(&self, figures: &BenchFigures) -> Result<Bench, BenchError> {
-        let BenchBender { pin_radius_mm, rod_radius_mm, orbit_radius_mm, orbit_offset_mm, .. } =
-            figures.bender;
+        let BenchBender {
+            pin_radius_mm,
+            rod_radius_mm,
+            orbit_radius_mm,
+            orbit_offset_mm,
+            feed_scale,
+            rotate_offset_deg,
+            rotate_backlash_deg,
+            ..
+        } = figures.bender;
         // Bends are kept within their limit by the firmware; the axis itself goes to its switch and a little on.
         let axis_limit_deg = self.switch_deg + BEYOND_SWITCH_DEG;
         let bender =
@@ -179,8 +187,9 @@ impl Simulated {
             strain_at_ultimate: Wire::STRAIN_AT_ULTIMATE,
         };
         let axis_deg = f64::from(i32::try_from(self.bend).unwrap_or(0)) * self.scale.bend_deg_per_step;
-        let bench =
-            Bench::new(bender, wire, self.scale, Compliance::published()?)?.with_bend_axis_at(axis_deg)?;
+        let bench = Bench::new(bender, wire, self.scale, Compliance::published()?)?
+            .with_drives(Drives { feed_scale, rotate_offset_deg, rotate_backlash_deg })?
+            .with_bend_axis_at(axis_deg)?;
         let term = |spread: Spread| ErrorTerm { bias: spread.bias, sigma: spread.sigma };
         match &figures.noise {
             None => Ok(bench),

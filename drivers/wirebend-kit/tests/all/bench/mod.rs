@@ -2,6 +2,7 @@
 
 mod comparing;
 mod compensation;
+mod drives;
 mod hand;
 mod noise;
 mod pressing;

@@ -68,6 +68,9 @@ impl Table {
                 orbit_radius_mm: 20.4,
                 orbit_offset_mm: 12.0,
                 axis_limit_deg: 155.0,
+                feed_scale: 1.0,
+                rotate_offset_deg: 0.0,
+                rotate_backlash_deg: 0.0,
             },
             wire: BenchWire {
                 diameter_mm: 3.0,
