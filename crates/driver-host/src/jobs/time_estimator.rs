@@ -7,13 +7,15 @@ use std::time::Duration;
 pub(super) struct TimeEstimator {
     /// Of each step, in order.
     estimates: Vec<Duration>,
-    /// Estimated time of the steps that were measured, and what they took.
+    /// Estimated time of the steps that were measured, and what they took at the programmed speed.
     estimated: Duration,
     measured: Duration,
     /// The moment from which the step under way counts; none while the machine holds or nothing is under way.
     since: Option<Duration>,
-    /// What of it went by before a pause.
+    /// What of it was done before that, as the time that it takes at the programmed speed.
     before: Duration,
+    /// How fast the machine is, of the programmed speed.
+    speed: f64,
 }
 
 /// Without any estimate, seconds. It only shapes a bar that is scaled at once.
@@ -33,6 +35,7 @@ impl TimeEstimator {
             measured: Duration::ZERO,
             since: None,
             before: Duration::ZERO,
+            speed: 1.0,
         }
     }
 
@@ -43,7 +46,15 @@ impl TimeEstimator {
 
     /// The machine holds: that time counts for nothing.
     pub fn holds(&mut self, now: Duration) {
-        self.before += self.since.take().map_or(Duration::ZERO, |since| now.saturating_sub(since));
+        self.before = self.under_way(now);
+        self.since = None;
+    }
+
+    /// The machine is slower or faster from now on.
+    pub fn goes_at(&mut self, percent: u8, now: Duration) {
+        self.before = self.under_way(now);
+        self.since = self.since.map(|_| now);
+        self.speed = f64::from(percent.max(1)) / 100.0;
     }
 
     /// A step is done; `more`: the machine has another one already.
@@ -64,8 +75,13 @@ impl TimeEstimator {
             // Both are far below what a float counts exactly.
             left.mul_f64(self.measured.as_secs_f64() / self.estimated.as_secs_f64())
         };
-        let under_way = self.before + self.since.map_or(Duration::ZERO, |since| now.saturating_sub(since));
-        scaled.saturating_sub(under_way)
+        scaled.saturating_sub(self.under_way(now)).div_f64(self.speed)
+    }
+
+    /// What of the step under way is done.
+    fn under_way(&self, now: Duration) -> Duration {
+        let since = self.since.map_or(Duration::ZERO, |since| now.saturating_sub(since));
+        self.before + since.mul_f64(self.speed)
     }
 
     fn estimate(&self, n: u32) -> Duration {
@@ -104,6 +120,21 @@ mod tests {
         pace.works(s(3600));
         pace.made(1, s(3606), false);
         assert_eq!(pace.remaining(1, s(9999)), s(20));
+    }
+
+    /// Half of the first step at full speed, the other half at a tenth of it: 5 and 50 s. The second takes ten times as long as it would,
+    /// and not ten times as long as the first has taken.
+    #[test]
+    fn a_speed_counts_from_when_it_is_set() {
+        let mut pace = TimeEstimator::new(vec![s(10), s(20)], 2);
+        pace.works(s(0));
+        pace.goes_at(10, s(5));
+        assert_eq!(pace.remaining(0, s(5)), s(250));
+        pace.made(1, s(55), true);
+        assert_eq!(pace.remaining(1, s(55)), s(200));
+        assert_eq!(pace.remaining(1, s(155)), s(100));
+        pace.goes_at(200, s(155));
+        assert_eq!(pace.remaining(1, s(155)), s(5));
     }
 
     #[test]

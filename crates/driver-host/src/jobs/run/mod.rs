@@ -69,8 +69,11 @@ impl JobRun {
             let what = EntryKind::Connected { identity: session.identity().to_owned(), resume };
             journal.add(Entry { at: clock.stamp(), what })?;
         }
-        let estimator = TimeEstimator::new(work.estimates.clone(), work.run.steps);
         let begun = clock.now();
+        let mut estimator = TimeEstimator::new(work.estimates.clone(), work.run.steps);
+        if let Some(percent) = session.snapshot().speed_percent {
+            estimator.goes_at(percent, begun);
+        }
         let (armed, window) = (None, SendWindow::default());
         Ok(Self {
             session,
@@ -237,6 +240,7 @@ impl JobRun {
             {
                 self.note(EntryKind::PartMade { n, made, exact })?;
             }
+            Event::Speed { percent } => self.estimator.goes_at(percent, now),
             Event::Position(step) => told.push(Progress::Position(step)),
             Event::Console { direction, text } => told.push(Progress::Console { direction, text }),
             Event::Warning(error) => told.push(Progress::Warning(error)),
