@@ -30,6 +30,7 @@ codes! {
     Ask = "ask",
     AtWork = "at-work",
     BegunElsewhere = "begun-elsewhere",
+    BendTooFar = "bend-too-far",
     BeyondLimit = "beyond-limit",
     Busy = "busy",
     Calibration = "calibration",
@@ -242,6 +243,7 @@ codes! {
     Unwritten = "unwritten",
     Value = "value",
     WhichWire = "which-wire",
+    WithoutEffect = "without-effect",
     WrongAnswer = "wrong-answer",
     ZeroNotConfirmed = "zero-not-confirmed",
 }

@@ -130,6 +130,14 @@ pub fn require(connection: &Connection, row: &MoveRow) -> Result<(), OperationEr
             return Err(LiveProblem::from(SessionError::Unsupported { driver, capability }).into());
         }
     }
+    for one in row.moves {
+        if let (&Move::Bend { deg }, Some(reach)) = (one, connection.bend_reach_deg)
+            && row.dry.is_none()
+            && deg.abs() > reach
+        {
+            return Err(LiveProblem::BendTooFar { deg, reach }.into());
+        }
+    }
     row.dry.as_ref().map_or(Ok(()), |dry| dry.require_within(connection))
 }
 

@@ -131,6 +131,11 @@ pub enum LiveProblem {
         .wire + 1
     )]
     EndTooShort { wire: usize, straight_mm: f64, back_mm: f64 },
+    /// A bend by hand goes farther than the profile lets the bend axis.
+    #[error(
+        "the bend axis would go to {deg:.1}°, and the machine's profile allows {reach:.1}° to either side"
+    )]
+    BendTooFar { deg: f64, reach: f64 },
     /// One wire is wanted, and the job has several.
     #[error("the job has {count} wires, and a dry run is of one")]
     WhichWire {

@@ -20,6 +20,7 @@ impl LiveProblem {
             | Self::Head(_)
             | Self::NoWire { .. }
             | Self::WhichWire { .. }
+            | Self::BendTooFar { .. }
             | Self::NoCutter { .. }
             | Self::EndTooShort { .. }
             | Self::Unfinished { .. }
@@ -82,6 +83,7 @@ impl LiveProblem {
             Self::SettingsDiffer { .. } => ErrorCode::SettingsDiffer,
             Self::NoWire { .. } => ErrorCode::NoWire,
             Self::WhichWire { .. } => ErrorCode::WhichWire,
+            Self::BendTooFar { .. } => ErrorCode::BendTooFar,
             Self::NoCutter { .. } => ErrorCode::NoCutter,
             Self::EndTooShort { .. } => ErrorCode::EndTooShort,
             Self::Unfinished { .. } | Self::WireInMachine { .. } => ErrorCode::Unfinished,

@@ -35,6 +35,7 @@ impl LiveProblem {
             }
             Self::NoCutter { able: true, .. } => vec![R::ChangeDriverSetting, R::CutByHand],
             Self::NoCutter { .. } | Self::EndTooShort { .. } => vec![R::CutByHand],
+            Self::BendTooFar { .. } => vec![R::CorrectInput { input: InputName::Moves }],
             Self::NoWire { .. } | Self::WhichWire { .. } | Self::SeveralUnfinished { .. } => {
                 vec![R::ChooseWire]
             }

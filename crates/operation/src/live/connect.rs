@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use wirebend_driver_host::api::Capability;
 use wirebend_driver_host::{OpenDriver, Phase, Session, Standstill, StopLine};
 use wirebend_error::{ErrorCode, ProblemReport};
-use wirebend_profile::MachineProfile;
+use wirebend_profile::{BendMethod, MachineProfile};
 
 use super::connection::Connection;
 use super::observer::MachineObserver;
@@ -113,6 +113,7 @@ pub fn connect<'a>(
         driver_id,
         driver_version,
         driver_limits,
+        bend_reach_deg: bend_reach_deg(at.profile),
         wire_used,
         wire_bent,
     };
@@ -154,4 +155,11 @@ fn await_answer(connection: &mut Connection) -> Result<(), LiveProblem> {
         }
     }
     Ok(())
+}
+
+/// Where a peg comes out beside the wire each bend begins at zero; an axis that is moved by hand from anywhere counts for itself.
+fn bend_reach_deg(profile: &MachineProfile) -> Option<f64> {
+    let has_peg = profile.bend.method.as_ref().is_some_and(|method| method.value == BendMethod::Peg);
+    let reach = profile.bend.axis_limit_deg.as_ref().map(|reach| reach.value);
+    reach.filter(|_| has_peg)
 }

@@ -25,6 +25,8 @@ pub struct Connection<'a> {
     pub driver_version: String,
     /// What its driver takes.
     pub driver_limits: Limits,
+    /// How far the profile lets the bend axis go to each side of zero, degrees, where a move of it begins there.
+    pub bend_reach_deg: Option<f64>,
     /// Wire was fed or bent by hand through this connection since a person has last said that the wire is in.
     pub wire_used: bool,
     /// A wire was bent through this connection, whole or in part, since then. Where it was cut off it is not in the way.

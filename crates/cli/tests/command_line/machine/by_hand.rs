@@ -58,6 +58,20 @@ fn a_dry_run_makes_the_moves_of_one_wire() {
     two.run(&["dry-run", "a.wbjob", "--port", "sim:max", "--yes", "--wire", "2"]).ended(0);
 }
 
+/// A head that can bend to 40 degrees only: the firmware was not told so.
+#[test]
+fn a_bend_by_hand_stays_within_what_the_profile_says() {
+    let shop = Shop::cube();
+    let set = ["profile", "set", "mine", "--from", "wirebend-kit", "--kind", "machine", "--source", "a rule"];
+    shop.run(&[&set[..], &["bend.axis_limit_deg=40"]].concat()).ended(0);
+    let jog = |moves: &[&str]| {
+        shop.run(&[&["jog", "--machine", "mine", "--port", "sim:max", "--yes"], moves].concat())
+    };
+    let said = jog(&["home", "b", "-41"]).ended(2).err;
+    assert!(said.contains("-41.0°") && said.contains("40.0°"), "{said}");
+    jog(&["home", "b", "-40"]).ended(0);
+}
+
 #[test]
 fn a_recording_is_for_its_machine() {
     let shop = Shop::cube();
@@ -117,11 +131,11 @@ fn what_is_no_move_is_refused_before_anything_is_connected() {
 #[test]
 fn what_was_made_before_a_refusal_is_told() {
     let shop = Shop::cube();
-    let words = ["--yes", "--json", "--record", "a.wbmoves", "f", "10", "b", "170", "f", "10"];
+    let words = ["--yes", "--json", "--record", "a.wbmoves", "f", "10", "r", "400", "f", "10"];
     let made = jog(&shop, &words).ended(5).json();
     assert_fits("jog", &made);
     assert_eq!(made["made"], json!([{"move": "feed", "mm": 10.0}]));
-    assert!(made["problem"]["message"].as_str().unwrap().contains("155"), "{made}");
+    assert!(made["problem"]["message"].as_str().unwrap().contains("soft limit"), "{made}");
     let recorded: Value =
         serde_json::from_slice(&std::fs::read(shop.path().join("a.wbmoves")).unwrap()).unwrap();
     assert_eq!(recorded["moves"], made["made"]);
