@@ -1,5 +1,7 @@
 //! What a command works on: a file or bytes, read into a document.
 
+mod given;
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -217,35 +219,6 @@ impl DesignInput {
         Ok((FoundStencil { name, surface }, opened.notes))
     }
 
-    /// Whether no option asks to read other than as the file says.
-    pub fn reads_plainly(&self) -> bool {
-        let plain = Self::file(PathBuf::new());
-        *self == Self { input: self.input.clone(), format: self.format, ..plain }
-    }
-
-    /// What was given to read other than as the file says.
-    pub fn read_otherwise(&self) -> Vec<InputName> {
-        use InputName::{
-            CentrelineRadius, FaceEdges, Handedness, Layers, Program, Scale, ShortestEdge, Tolerance, Units,
-            Weld,
-        };
-        let plain = Self::file(PathBuf::new());
-        #[allow(clippy::float_cmp, reason = "a number that was not given is the very same one")]
-        let given = [
-            (Scale, self.scale != plain.scale),
-            (Units, self.units != plain.units),
-            (Weld, self.weld_mm != plain.weld_mm),
-            (FaceEdges, self.face_edges != plain.face_edges),
-            (CentrelineRadius, self.clr_mm != plain.clr_mm),
-            (Tolerance, self.tolerance_mm != plain.tolerance_mm),
-            (ShortestEdge, self.shortest_edge != plain.shortest_edge),
-            (Layers, self.layers != plain.layers),
-            (Handedness, self.handedness != plain.handedness),
-            (Program, self.program != plain.program),
-        ];
-        given.into_iter().filter_map(|(input, given)| given.then_some(input)).collect()
-    }
-
     /// Reads the design from bytes that were loaded before, for a machine if there is one.
     pub fn open_bytes(
         &self,
@@ -269,6 +242,11 @@ impl DesignInput {
             ..ReadOptions::default()
         };
         let imported = read(bytes, &name, self.format, &options)?;
+        let without_effect = self.without_effect(imported.format);
+        if !without_effect.is_empty() {
+            let (format, inputs) = (imported.format, without_effect);
+            return Err(PlanningError::WithoutEffect { name, format, inputs });
+        }
         if imported.document.is_some() && !self.reads_plainly() {
             let (inputs, instead) = (self.read_otherwise(), Box::new(ErrorRemedy::ImportOriginal));
             return Err(PlanningError::Settled { name, inputs, instead });

@@ -98,3 +98,30 @@ fn a_folder_is_no_file() {
     let ran = run_in(folder.path(), &["plan", ".", "--machine", "wirebend-kit"], b"").ended(3);
     assert!(!ran.err.contains("panicked"), "{}", ran.err);
 }
+
+/// Whoever gives an option believes that it has done something.
+#[test]
+fn options_that_say_nothing_of_a_format_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, contents) in [
+        ("a.obj", "v 0 0 0\nv 40 0 0\nl 1 2\n"),
+        ("a.csv", "x,y,z\n0,0,0\n40,0,0\n"),
+        ("a.txt", "F 40.0\nB 90.0\nF 40.0\n"),
+    ] {
+        std::fs::write(folder.path().join(name), contents).unwrap();
+    }
+    for (name, option, value) in [
+        ("a.obj", "--clr", Some("3")),
+        ("a.obj", "--handedness", Some("left")),
+        ("a.obj", "--program", Some("nominal")),
+        ("a.obj", "--tolerance", Some("0.2")),
+        ("a.obj", "--shortest-edge", Some("20")),
+        ("a.csv", "--face-edges", None),
+        ("a.txt", "--handedness", Some("left")),
+    ] {
+        let arguments: Vec<&str> = ["import", name, option].into_iter().chain(value).collect();
+        let ran = run_in(folder.path(), &arguments, b"").ended(2);
+        assert!(ran.err.contains("no effect") && ran.err.contains(option), "{arguments:?}: {}", ran.err);
+    }
+    run_in(folder.path(), &["import", "a.obj", "--face-edges", "-o", "a.wirebend"], b"").ended(0);
+}

@@ -45,7 +45,9 @@ pub fn job_of_file(
     let not_a_job = || PlanningError::NotAJob { name: name.to_owned() };
     let opened = read(name, bytes).map_err(|error| match error {
         // What is nothing else is no job either.
-        PlanningError::Read(ReadError::UnknownFormat { .. }) | PlanningError::Settled { .. } => not_a_job(),
+        PlanningError::Read(ReadError::UnknownFormat { .. })
+        | PlanningError::Settled { .. }
+        | PlanningError::WithoutEffect { .. } => not_a_job(),
         PlanningError::Read(ReadError::GCode { .. }) => PlanningError::GCodeToRun { name: name.to_owned() },
         error => error,
     })?;

@@ -58,6 +58,7 @@ impl PlanningError {
             | Self::NoBender { .. }
             | Self::FormatOfAnother { .. }
             | Self::Settled { .. }
+            | Self::WithoutEffect { .. }
             | Self::ClosedWires { .. }
             | Self::NotAJob { .. }
             | Self::GCodeToRun { .. }
@@ -140,6 +141,7 @@ impl PlanningError {
             Self::NoBender { .. } => ErrorCode::NoBender,
             Self::FormatOfAnother { .. } => ErrorCode::FormatOfAnother,
             Self::Settled { .. } => ErrorCode::Settled,
+            Self::WithoutEffect { .. } => ErrorCode::WithoutEffect,
             Self::ClosedWires { .. } => ErrorCode::ClosedWires,
             Self::StartWithoutEdge { .. } => ErrorCode::StartWithoutEdge,
             Self::DamagedJob { .. } => ErrorCode::DamagedJob,

@@ -14,8 +14,8 @@ use wirebend_core::simulate::BadErrorTerm;
 use wirebend_driver_host::HostError;
 use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_files::document::DocumentError;
-use wirebend_files::read::ReadError;
 use wirebend_files::read::frame::StrutMatchError;
+use wirebend_files::read::{Format, ReadError};
 use wirebend_profile::{Kind, ProfileError};
 
 pub use driver::DriverProblem;
@@ -262,6 +262,9 @@ pub enum PlanningError {
         /// What to do to have an effect.
         instead: Box<ErrorRemedy>,
     },
+    /// Options were given for files of another kind.
+    #[error("{name}: {} would have no effect on a file of format {format}", input_words(inputs))]
+    WithoutEffect { name: String, format: Format, inputs: Vec<InputName> },
     /// One wire that ends where it starts, and several wires.
     #[error("a closed route is for one wire, and the number of wires is {wires}")]
     ClosedWires { wires: u32 },

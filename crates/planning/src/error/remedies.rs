@@ -87,6 +87,7 @@ impl PlanningError {
             Self::Settled { inputs, instead, .. } => {
                 vec![R::LeaveOut { inputs: inputs.clone() }, (**instead).clone()]
             }
+            Self::WithoutEffect { inputs, .. } => vec![R::LeaveOut { inputs: inputs.clone() }],
             Self::ClosedWires { .. } => {
                 let leave_out = |input| R::LeaveOut { inputs: vec![input] };
                 [InputName::Closed, InputName::Wires].map(leave_out).into()
