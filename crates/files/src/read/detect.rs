@@ -32,13 +32,20 @@ pub fn detect(name: &str, bytes: &[u8]) -> Result<Format, ReadError> {
         (&[only], _) => Ok(only),
         (_, Some(format)) => Ok(format),
         // A table without any number still gets the error of its reader, with a line.
-        ([Format::Xyz, ..], None) if extension.as_deref() != Some("txt") => Ok(Format::Xyz),
+        ([Format::Xyz, ..], None) if extension.as_deref() != Some("txt") => Ok(by_columns(bytes)),
         _ if is_blank(bytes) => Err(ReadError::EmptyFile { file: name.to_owned() }),
         _ if gcode::is_named(extension.as_deref()) || is_gcode(bytes) => {
             Err(ReadError::GCode { file: name.to_owned() })
         }
         _ => Err(ReadError::UnknownFormat { file: name.to_owned() }),
     }
+}
+
+/// The format of a table in which not only numbers are, by the names of its columns.
+fn by_columns(bytes: &[u8]) -> Format {
+    let text = decode(&bytes[..bytes.len().min(SNIFFED)]);
+    let table = Table::parse(&text);
+    if table.header.is_some() && super::program::lra::looks_like(&table) { Format::Lra } else { Format::Xyz }
 }
 
 /// Whether nothing is in a file but space.

@@ -10,6 +10,9 @@ use wirebend_error::{ErrorCode, ErrorRemedy, InputName};
 
 use crate::document::DocumentError;
 
+/// Half a turn, but for what numbers are rounded by: a bend beyond it loops round.
+pub(super) const MOST_BEND_DEG: f64 = 180.0 + 1e-6;
+
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Location {
     /// A line of text, from 1.
@@ -132,8 +135,8 @@ pub enum ReadError {
     /// A mesh that no stencil can have.
     #[error("{file}: {error}")]
     Stencil { file: String, error: StencilError },
-    /// A bend whose straight parts do not meet, in a table of tangent lengths.
-    #[error("{file}{place}: a bend of {bend_deg:.3}° has no corner, its straight parts are parallel")]
+    /// A bend whose straight parts do not meet, in a table of tangent lengths; or one beyond half a turn, in any program.
+    #[error("{file}{place}: a bend of {bend_deg:.3}° has no corner, {}", if bend_deg.abs() > MOST_BEND_DEG { "it goes beyond half a turn" } else { "its straight parts are parallel" })]
     NoCorner { file: String, place: Location, bend_deg: f64 },
     /// A scale that is not a positive number.
     #[error("the scale is {scale}: it must be a number greater than 0")]

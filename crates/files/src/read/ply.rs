@@ -1,5 +1,6 @@
 //! PLY, ASCII or binary: faces are a stencil, the `edge` element a wireframe.
 
+use std::borrow::Cow;
 use std::io::Cursor;
 
 use nalgebra::Point3;
@@ -83,9 +84,20 @@ fn wholes(property: Property) -> Option<Vec<i64>> {
     })
 }
 
+/// The file with a header of UTF-8, where it has another: other bytes are in its comments, or an error follows.
+fn with_text_header(bytes: &[u8]) -> Option<Vec<u8>> {
+    const END: &[u8] = b"end_header";
+    let end = bytes.windows(END.len()).position(|word| word == END)?;
+    let (header, rest) = bytes.split_at(end);
+    let text = String::from_utf8_lossy(header);
+    matches!(text, Cow::Owned(_)).then(|| [text.as_bytes(), rest].concat())
+}
+
 /// Reads vertices, faces and edges; other elements and properties are counted and ignored.
 pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
     let parser = Parser::<Entry>::new();
+    let readable = with_text_header(bytes);
+    let bytes = readable.as_deref().unwrap_or(bytes);
     let mut input = Reader::new(Cursor::new(bytes));
     let mut header = parser.read_header(&mut input).map_err(|error| refuse(source, &error))?;
     let plain = without_odd_numbers(bytes, position(&input), &header);

@@ -14,7 +14,7 @@ use wirebend_core::wireframe::{Vertex, VertexId, Welder, Wireframe, WireframeErr
 use wirebend_error::ErrorRemedy;
 
 use super::Imported;
-use super::error::{Location, ReadError};
+use super::error::{Location, MOST_BEND_DEG, ReadError};
 use super::format::Format;
 use super::note::{NoteKind, Notes};
 use super::options::ReadOptions;
@@ -184,6 +184,16 @@ pub(crate) fn finish(
 ) -> Result<Imported, ReadError> {
     if steps.iter().all(|step| step.feed == Length::ZERO) {
         return Err(source.empty("feed of more than 0", &notes));
+    }
+    // As a corner it would be a smaller bend to the other side. How far an axis was told to go is another matter.
+    let beyond = |step: &Step| !told && step.bend.abs().deg() > MOST_BEND_DEG;
+    if let Some(index) = steps.iter().position(beyond) {
+        let place = lines.get(index).map_or(Location::Item("step", index + 1), |&line| Location::Line(line));
+        return Err(ReadError::NoCorner {
+            file: source.name.to_owned(),
+            place,
+            bend_deg: steps[index].bend.deg(),
+        });
     }
     if steps.last().is_some_and(|step| step.bend != Angle::ZERO) {
         notes.add(NoteKind::EndsOnBend, 1);

@@ -68,3 +68,21 @@ fn a_table_of_a_spreadsheet_is_read() {
     assert_eq!((imported.format, imported.wireframe.edge_count()), (Format::Xyz, 1));
     assert_eq!(notes(&imported.notes), ["the first row is a header"]);
 }
+
+/// Names of people in comments, as exporters write them that know of no encoding.
+#[test]
+fn other_letters_in_the_head_of_a_ply_are_in_nobodys_way() {
+    let head = b"ply\nformat ascii 1.0\ncomment M\xfcller\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n";
+    let edges =
+        b"element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n0 0 0\n10 0 0\n0 1\n";
+    let imported = import("a.ply", [&head[..], edges].concat()).unwrap();
+    assert_eq!((imported.format, imported.wireframe.edge_count()), (Format::Ply, 1));
+}
+
+/// A column of remarks makes no points of lengths, rotations and angles.
+#[test]
+fn a_table_of_bends_may_have_words_beside_them() {
+    let table = "L (mm);R;A;Bemerkung\n50;0;90;erster Bogen\n40;90;45;zweiter\n30;;;Ende\n";
+    let imported = import("a.csv", table).unwrap();
+    assert_eq!((imported.format, imported.wireframe.edge_count()), (Format::Lra, 3));
+}

@@ -172,6 +172,7 @@ fn tables() {
         "D_mm,Rabs,A,CLR\n40.0,0,90,9\n52.5,0,90,9\n",
         "C,F,E,G\n,9,0,90\n",
         "D_mm,A,CLR\n10,180,9\n",
+        "50,0,200\n40\n",
     ];
     check(
         "a.lra",
@@ -188,6 +189,7 @@ fn tables() {
             read-syntax: a.lra, line 3: found "52.5", expected a distance of 54.137 mm or more, where the row before ends [CorrectFile]
             read-syntax: a.lra, line 2: found "9 0 90", expected a distance from the start in every row [CorrectFile]
             read-no-corner: a.lra, line 2: a bend of 180.000° has no corner, its straight parts are parallel [SplitBend]
+            read-no-corner: a.lra, line 1: a bend of 200.000° has no corner, it goes beyond half a turn [SplitBend]
         "#]],
     );
 }
