@@ -24,7 +24,7 @@ pub(crate) fn check_odd(
         location: Location::at_vertices(odd.iter().copied()),
         fact: Fact::NoEulerPath { odd: odd.len(), allowed },
         remedies: match proposal {
-            Some(doubling) => vec![Remedy::double(doubling, wireframe, component)],
+            Some(doubling) => vec![Remedy::double(doubling, wireframe)],
             None => vec![Remedy::FindDoubling, Remedy::ReduceOddVertices],
         },
     })

@@ -3,7 +3,7 @@
 use super::WireStages;
 use crate::route::{Doubling, StartThere};
 use crate::units::{Angle, Length};
-use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
+use crate::wireframe::{EdgeId, VertexId, Wireframe};
 
 /// A way to remove the cause of a finding, with the figures that it needs. Where it applies is the location of the
 /// finding. A front end has words for each, and offers what it can do of them.
@@ -202,10 +202,9 @@ impl Remedy {
     }
 
     /// The remedy of a doubling that has been found for a wire.
-    pub(crate) fn double(doubling: &Doubling, wireframe: &Wireframe, component: &Component) -> Self {
-        let edges = component.edges.iter();
-        let design = edges.map(|&edge| wireframe.edge_length(edge)).sum();
-        Self::DoubleEdges { edges: doubling.edges.clone(), added: doubling.added, design }
+    pub(crate) fn double(doubling: &Doubling, wireframe: &Wireframe) -> Self {
+        let (edges, added) = (doubling.edges.clone(), doubling.added);
+        Self::DoubleEdges { edges, added, design: wireframe.total_length() }
     }
 
     /// The remedies of a bend at a vertex that every route from elsewhere makes: a start there, and a detour, where they avoid it.

@@ -105,7 +105,7 @@ fn search(
         }
         Err(error) => {
             let offered = Some(&found.proposal).filter(|proposal| !proposal.edges.is_empty());
-            let doubling = offered.map(|proposal| Remedy::double(proposal, wireframe, component));
+            let doubling = offered.map(|proposal| Remedy::double(proposal, wireframe));
             found.refusals.push(refusal(error, doubling));
         }
     }

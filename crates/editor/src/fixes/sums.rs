@@ -17,7 +17,7 @@ pub struct FixChange {
     pub stock_mm: Option<f64>,
     /// Time on the machine, s.
     pub time_s: Option<f64>,
-    /// Price of the designed length.
+    /// Price of the stock to load.
     pub cost: Option<f64>,
     /// Of the cost.
     pub currency: Option<String>,
@@ -41,7 +41,7 @@ pub struct FixTotals {
     pub stock_mm: Option<f64>,
     /// Time on the machine, s.
     pub time_s: Option<f64>,
-    /// Price of the designed length.
+    /// Price of that stock: each wire wastes a tail besides.
     pub cost: Option<f64>,
 }
 
@@ -60,7 +60,7 @@ impl FixTotals {
             length_mm: sum(check, |wire| wire.length_mm),
             stock_mm: sum(check, |wire| wire.stock_mm),
             time_s: sum(check, |wire| wire.time_s),
-            cost: sum(check, |wire| wire.cost),
+            cost: sum(check, |wire| wire.stock_cost),
         }
     }
 }
@@ -79,7 +79,7 @@ impl FixChange {
             length_mm: change(|wire| wire.length_mm),
             stock_mm: change(|wire| wire.stock_mm),
             time_s: change(|wire| wire.time_s),
-            cost: change(|wire| wire.cost),
+            cost: change(|wire| wire.stock_cost),
             currency: after.check.wires.iter().find_map(|wire| wire.currency.clone()),
             errors: now.0 - then.0,
             warnings: now.1 - then.1,

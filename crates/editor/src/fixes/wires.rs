@@ -29,18 +29,22 @@ fn doubled(wire: &WirePlan, trials: &Trials) -> Option<Candidate> {
     edges.extend(&proposal.edges);
     edges.sort_unstable();
     Some(Candidate {
-        title: format!("Run the wire along {}", twice(&proposal.edges, proposal.added, trials)),
+        title: format!("Run the wire along {}", twice_priced(&proposal.edges, proposal.added, trials)),
         edit: doublings(&edges),
     })
 }
 
 /// "3 edges twice (+90.0 mm, +$0.18)".
-pub(super) fn twice(edges: &[EdgeId], length: Length, trials: &Trials) -> String {
+pub(super) fn twice_priced(edges: &[EdgeId], length: Length, trials: &Trials) -> String {
+    let cost = trials.price(length).map_or_else(String::new, |price| format!(", +{price}"));
+    twice(edges, length, &cost)
+}
+
+fn twice(edges: &[EdgeId], length: Length, cost: &str) -> String {
     let count = match edges.len() {
         1 => "1 edge".to_owned(),
         count => format!("{count} edges"),
     };
-    let cost = trials.price(length).map_or_else(String::new, |price| format!(", +{price}"));
     format!("{count} twice (+{}{cost})", shown_mm(length.mm()))
 }
 
@@ -60,7 +64,8 @@ fn several(shares: &[Share], trials: &Trials) -> Candidate {
     let edges: Vec<EdgeId> = doubled.flat_map(|doubling| doubling.edges.iter().copied()).collect();
     let less = match edges.as_slice() {
         [] => "no doubled edges".to_owned(),
-        edges => format!("run along {}", twice(edges, length, trials)),
+        // What the tails of more wires cost is in the totals beside it.
+        edges => format!("run along {}", twice(edges, length, "")),
     };
     let kind = if trials.document().closed { "open wires" } else { "wires" };
     Candidate {
@@ -98,6 +103,6 @@ pub(super) fn detour(finding: Finding, trials: &Trials) -> Option<Candidate> {
     };
     edges.extend(around);
     edges.sort_unstable();
-    let title = format!("Take a detour: run along {}", twice(around, *length, trials));
+    let title = format!("Take a detour: run along {}", twice_priced(around, *length, trials));
     Some(Candidate { title, edit: doublings(&edges) })
 }

@@ -63,7 +63,9 @@ function Figures({ fix }: { readonly fix: Fix }) {
         {row("Wire", now.length_mm, change.length_mm, fix.after.length_mm, length)}
         {row("Stock", now.stock_mm, change.stock_mm, fix.after.stock_mm, long)}
         {row("Time", now.time_s, change.time_s, fix.after.time_s, time)}
-        {row("Cost", now.cost, change.cost, fix.after.cost, (value) => money(value, change.currency ?? now.currency))}
+        {row("Cost of stock", now.cost, change.cost, fix.after.cost, (value) =>
+          money(value, change.currency ?? now.currency),
+        )}
         <tr>
           <th scope="row">Errors</th>
           <td>{errors}</td>

@@ -19,7 +19,7 @@ export function totals(check: LiveCheck | null): Sums {
     length_mm: sum((wire) => wire.length_mm),
     stock_mm: sum((wire) => wire.stock_mm),
     time_s: sum((wire) => wire.time_s),
-    cost: sum((wire) => wire.cost),
+    cost: sum((wire) => wire.stock_cost),
     bends: sum((wire) => wire.bends),
     currency: wires[0]?.currency ?? null,
   };

@@ -135,7 +135,7 @@ fn promised(editor: &mut Editor, app: &Installation) -> Vec<Fix> {
             (fix.change.length_mm, (|wire| wire.length_mm) as fn(&WireFigures) -> Option<f64>),
             (fix.change.stock_mm, |wire| wire.stock_mm),
             (fix.change.time_s, |wire| wire.time_s),
-            (fix.change.cost, |wire| wire.cost),
+            (fix.change.cost, |wire| wire.stock_cost),
         ] {
             let measured = difference(&before, &after, figure);
             assert!(close(told, measured), "{said}: {told:?} is told, {measured:?} is measured");
@@ -144,7 +144,7 @@ fn promised(editor: &mut Editor, app: &Installation) -> Vec<Fix> {
             |figure: fn(&WireFigures) -> Option<f64>| after.wires.iter().map(figure).sum::<Option<f64>>();
         assert!(close(fix.after.stock_mm, sum(|wire| wire.stock_mm)), "{said}");
         assert!(close(fix.after.time_s, sum(|wire| wire.time_s)), "{said}");
-        assert!(close(fix.after.cost, sum(|wire| wire.cost)), "{said}");
+        assert!(close(fix.after.cost, sum(|wire| wire.stock_cost)), "{said}");
         assert_eq!(fix.after.wires, after.wires.len(), "{said}");
         // Errors that a wire without a route, or without turns of the head, was not checked for.
         let further =
