@@ -103,9 +103,9 @@ pub use wirebend_planning::sequence::{
     StrategyName,
 };
 pub use wirebend_planning::simulate::{
-    ErrorSourceName, GapReport, Prediction, PredictionRequest, SimulateRequest, SimulateResponse,
-    SimulatedCollisions, SimulatedContact, SimulatedTolerance, SimulationModel, SourceShare, SourceTolerance,
-    StepShare, VertexReport,
+    ErrorSourceName, GapReport, Prediction, PredictionRequest, ResolutionReport, SimulateRequest,
+    SimulateResponse, SimulatedCollisions, SimulatedContact, SimulatedTolerance, SimulationModel,
+    SourceShare, SourceTolerance, StepShare, VertexReport,
 };
 pub use wirebend_planning::stage::StageName;
 pub use wirebend_planning::wires::{LeftOutReason, LeftOutWires, WiresRequest, WiresResponse, WiresRow};

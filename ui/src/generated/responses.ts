@@ -1809,6 +1809,7 @@ export type StoppedBy = "driver" | "nothing-more" | "end-of-driver" | "end-of-si
 export type ErrorCode =
   | "ask"
   | "at-work"
+  | "bend-too-far"
   | "begun-elsewhere"
   | "beyond-limit"
   | "busy"
@@ -2022,6 +2023,7 @@ export type ErrorCode =
   | "unwritten"
   | "value"
   | "which-wire"
+  | "without-effect"
   | "wrong-answer"
   | "zero-not-confirmed";
 /**
@@ -2714,7 +2716,7 @@ export interface FixTotals {
    */
   collisions: number | null;
   /**
-   * Price of the designed length.
+   * Price of that stock: each wire wastes a tail besides.
    */
   cost: number | null;
   /**
@@ -2744,7 +2746,7 @@ export interface FixTotals {
  */
 export interface FixChange {
   /**
-   * Price of the designed length.
+   * Price of the stock to load.
    */
   cost: number | null;
   /**
@@ -5568,6 +5570,10 @@ export interface SimulatedWire {
    * The largest `radius_95_mm`.
    */
   worst_radius_95_mm: number;
+  /**
+   * How far the worst vertex would be off if the axes took the commands to their resolutions, in mm.
+   */
+  worst_rounded_mm: number;
   /**
    * The largest `systematic_mm`.
    */

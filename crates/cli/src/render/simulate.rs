@@ -3,8 +3,8 @@
 use std::io::Write;
 
 use wirebend_api::{
-    ErrorSourceName, SeverityName, SimulateResponse, SimulatedCollisions, SimulatedTolerance,
-    SimulationModel, SourceShare, SourceTolerance, StepShare,
+    ErrorSourceName, ResolutionReport, SeverityName, SimulateResponse, SimulatedCollisions,
+    SimulatedTolerance, SimulationModel, SourceShare, SourceTolerance, StepShare,
 };
 
 use super::number::count;
@@ -26,6 +26,14 @@ pub(super) fn simulate(out: &mut impl Write, found: &SimulateResponse) -> std::i
         }
         let label = "formulas";
         writeln!(out, "  {label:<18} the worst vertex is {:.3} mm off", wire.worst_systematic_mm)?;
+        if found.model == SimulationModel::ClosedForm {
+            let ResolutionReport { feed_mm, rotate_deg, bend_deg } = found.resolution;
+            writeln!(
+                out,
+                "  {:<18} the worst vertex is {:.3} mm off: the axes go in steps of {feed_mm} mm, {rotate_deg}° (rotate) and {bend_deg}° (bend)",
+                "rounded", wire.worst_rounded_mm
+            )?;
+        }
         if let Some(noise) = &found.noise {
             let runs = count(found.runs as usize, "run", "runs");
             writeln!(

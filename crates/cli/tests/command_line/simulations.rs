@@ -1,5 +1,7 @@
 //! Simulations: on the simulated machine where there is one, by formulas where there is none.
 
+use std::fmt::Write as _;
+
 use serde_json::{Value, json};
 
 use crate::{assert_fits, example, run_in};
@@ -41,6 +43,104 @@ fn the_simulated_machine_sees_what_formulas_cannot() {
         (&"closed-form".into(), &Value::Null)
     );
     assert!(worst(&pensa, "worst_systematic_mm") < 1e-6);
+}
+
+/// Of a machine that takes whole millimetres and degrees the formulas see nothing. Its own commands, read as a program that was
+/// compensated for it, are the wire that it makes.
+#[test]
+fn what_a_machine_rounds_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"").ended(0);
+    let mut text = String::new();
+    let (mut at, mut way) = ([0.0, 0.0_f64], 0.0_f64);
+    writeln!(text, "v 0 0 0").unwrap();
+    for (k, (side, corner)) in
+        [(50.3, 37.4), (41.6, 61.3), (60.2, -48.7), (33.4, 0.0)].into_iter().enumerate()
+    {
+        at = [at[0] + side * way.cos(), at[1] + side * way.sin()];
+        way += f64::to_radians(corner);
+        writeln!(text, "v {} {} 0\nl {} {}", at[0], at[1], k + 1, k + 2).unwrap();
+    }
+    std::fs::write(folder.path().join("a.obj"), text).unwrap();
+    run(&["plan", "a.obj", "--units", "mm", "-m", "howtomechatronics", "-o", "a.wbjob"]);
+    let found = run(&["simulate", "a.wbjob", "--json"]).json();
+    assert_eq!(found["resolution"], json!({ "feed_mm": 1.0, "rotate_deg": 1.0, "bend_deg": 1.0 }));
+    let told = worst(&found, "worst_rounded_mm");
+    run(&["export", "a.wbjob", "-o", "a.txt"]);
+    let commands = std::fs::read_to_string(folder.path().join("a.txt")).unwrap();
+    let names = [('f', 'F'), ('z', 'R'), ('b', 'B')];
+    let kit: String = commands
+        .split_whitespace()
+        .filter_map(|word| {
+            let (_, name) = names.into_iter().find(|(letter, _)| word.starts_with(*letter))?;
+            Some(format!("{name} {}\n", word[1..].parse::<f64>().ok()?))
+        })
+        .collect();
+    std::fs::write(folder.path().join("told.txt"), kit).unwrap();
+    let plan = ["plan", "told.txt", "-m", "howtomechatronics", "--program", "compensated", "--json"];
+    let made = run(&plan).json();
+    // A turtle in the plane: its corners all lie in one, and so no rotation does more than turn the next bend over.
+    let places = |plan: &Value| {
+        let (mut at, mut way, mut side) = ([0.0, 0.0_f64], 0.0_f64, 1.0);
+        let step = |step: &Value| {
+            let figure = |name: &str| step[name].as_f64().unwrap();
+            at = [at[0] + figure("feed_mm") * way.cos(), at[1] + figure("feed_mm") * way.sin()];
+            side *= figure("rotate_deg").to_radians().cos().round();
+            way += side * figure("bend_deg").to_radians();
+            at
+        };
+        plan["program"]["steps"].as_array().unwrap().iter().map(step).collect::<Vec<_>>()
+    };
+    let wanted =
+        places(&run(&["plan", "a.obj", "--units", "mm", "-m", "howtomechatronics", "--json"]).json());
+    let off = places(&made)
+        .iter()
+        .zip(&wanted)
+        .map(|(a, b)| a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt())
+        .fold(0.0, f64::max);
+    assert!(off > 0.3 && (told - off).abs() < 0.01, "{told} mm told, {off} mm by its commands");
+}
+
+/// A machine that knows of its feed and its head is told other commands, and makes the same wire of them.
+#[test]
+fn the_simulated_machine_is_what_its_profile_says() {
+    let folder = tempfile::tempdir().unwrap();
+    let set = ["profile", "set", "mine", "--from", "wirebend-kit", "--kind", "machine", "--source", "a rule"];
+    let values = ["feed.scale=1.02", "rotate.offset_deg=2", "rotate.backlash_deg=1.5"];
+    run_in(folder.path(), &[&set[..], &values].concat(), b"").ended(0);
+    let off = |machine: &str, sign: &str| {
+        let sign = format!("signs.rotate={sign}");
+        let (set, own) = (["profile", "set", "mine", "--source", "a rule", &sign], machine == "mine");
+        if own {
+            run_in(folder.path(), &set, b"").ended(0);
+        }
+        // Bends in many planes, so that the head turns to both sides.
+        let plan = [
+            "plan",
+            &example("cup-holder.obj"),
+            "-m",
+            machine,
+            "--despite-errors",
+            "-o",
+            "a.wbjob",
+            "--force",
+        ];
+        let _ = std::fs::remove_file(folder.path().join("a.wbjob"));
+        run_in(folder.path(), &plan, b"");
+        assert!(folder.path().join("a.wbjob").exists(), "{machine}");
+        worst(
+            &run_in(folder.path(), &["simulate", "a.wbjob", "--json"], b"").ended(0).json(),
+            "worst_machine_mm",
+        )
+    };
+    let exact = off("wirebend-kit", "1");
+    for sign in ["1", "-1"] {
+        let found = off("mine", sign);
+        assert!(
+            (found - exact).abs() < 0.2,
+            "{found} mm for a sign of {sign}, {exact} mm for an exact machine"
+        );
+    }
 }
 
 /// Spatial bends to both sides and vertices on straights: were a sign or a frame wrong, the wire would be off by

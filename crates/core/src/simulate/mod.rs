@@ -7,6 +7,7 @@
 
 mod first_order;
 mod made;
+mod resolution;
 mod wire;
 
 use std::ops::{ControlFlow, Range};
@@ -19,6 +20,7 @@ use crate::compensate::{CompensatedProgram, Compensation, ToldStep, made_of, res
 use crate::units::{Angle, Length};
 pub use first_order::{FirstOrder, SourceEffect, StepEffect, first_order};
 pub use made::steps_of_corners;
+pub use resolution::Resolution;
 pub use wire::ImperfectWire;
 use wire::{Draw, corner_to_corner, imperfect};
 

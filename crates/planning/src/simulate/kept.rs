@@ -6,10 +6,11 @@ use nalgebra::Point3;
 use wirebend_core::bend::{Frame, Step, program_of_path};
 use wirebend_core::compensate::CompensatedProgram;
 use wirebend_core::motion::poses_of_points;
-use wirebend_core::simulate::{SimulationInput, fractions, scheduled_start};
+use wirebend_core::simulate::{SimulationInput, fractions, perfect_wire, scheduled_start};
 use wirebend_core::units::{Angle, Length};
 use wirebend_files::document::{JobContents, JobWire};
 
+use super::resolution::resolution;
 use crate::PlanningError;
 use crate::machine::{Setup, kept_steps, told_steps};
 use crate::playback::PoseReport;
@@ -23,6 +24,8 @@ pub struct KeptWire {
     fractions: Vec<Vec<f64>>,
     pub passes: Vec<Vec<usize>>,
     program: CompensatedProgram,
+    /// How far the vertex that is farthest off would be from its design, were the commands rounded to what the axes can be told, mm.
+    pub worst_rounded_mm: f64,
     pub length: Length,
     pub bends: usize,
     /// The points of the path at which the wire has a corner, its ends included.
@@ -53,21 +56,25 @@ impl KeptWire {
         let bent = nominal.iter().zip(&wire.spans).filter(|(step, _)| step.bend != Angle::ZERO);
         let inner = bent.map(|(_, &[_, end])| end);
         let corners = std::iter::once(0).chain(inner).chain(design.len().checked_sub(1)).collect();
-        Ok(Self {
+        let told = told_steps(&wire.compensated)?;
+        let program = |told| CompensatedProgram::from_job_steps(told, &setup.model.compensation);
+        let rounded = program(resolution(setup)?.rounded(&told));
+        let kept = Self {
             start: scheduled_start(start, &scheduled),
             fractions: fractions(&design, wire.spans.iter().map(|&[from, to]| from..to)),
             passes: at.into_values().filter(|passes| passes.len() > 1).collect(),
-            program: CompensatedProgram::from_job_steps(
-                told_steps(&wire.compensated)?,
-                &setup.model.compensation,
-            ),
+            program: program(told),
+            worst_rounded_mm: 0.0,
             length: nominal.iter().map(|step| step.feed).sum(),
             bends: nominal.iter().filter(|step| step.bend != Angle::ZERO).count(),
             design,
             corners,
             signs: setup.signs,
             scheduled,
-        })
+        };
+        let made = perfect_wire(&SimulationInput { program: &rounded, ..kept.input(setup) });
+        let off = kept.design.iter().zip(made).map(|(design, made)| (design - made).norm());
+        Ok(Self { worst_rounded_mm: off.fold(0.0, f64::max), ..kept })
     }
 
     pub fn input<'a>(&'a self, setup: &'a Setup) -> SimulationInput<'a> {

@@ -5,6 +5,7 @@ mod collisions;
 mod drawing;
 mod kept;
 mod prediction;
+mod resolution;
 mod shares;
 mod tolerance;
 
@@ -31,6 +32,8 @@ pub use collisions::{SimulatedCollisions, SimulatedContact};
 use drawing::Drawing;
 pub use kept::KeptWire;
 pub use prediction::{Prediction, PredictionRequest, predict};
+pub use resolution::ResolutionReport;
+use resolution::resolution;
 use shares::shares;
 pub use shares::{ErrorSourceName, SourceShare, StepShare};
 use tolerance::{Accuracy, tolerance};
@@ -124,6 +127,8 @@ pub struct SimulatedWire {
     pub worst_machine_mm: Option<f64>,
     /// The largest `systematic_mm`.
     pub worst_systematic_mm: f64,
+    /// How far the worst vertex would be off if the axes took the commands to their resolutions, in mm.
+    pub worst_rounded_mm: f64,
     /// The largest `mean_mm`.
     pub worst_mean_mm: f64,
     /// The largest `radius_95_mm`.
@@ -160,6 +165,8 @@ pub struct SimulateResponse {
     /// With a simulated machine every wire has `machine_mm`. All other figures are those of closed formulas: a
     /// machine takes too long for many runs.
     pub model: SimulationModel,
+    /// The least that the axes of the machine go.
+    pub resolution: ResolutionReport,
     /// The wires of the job.
     pub wires: Vec<SimulatedWire>,
     /// How exact a machine must be; null where nobody asked.
@@ -237,6 +244,7 @@ pub fn simulate(
     let contents = job.contents();
     let setup = restored(&name, contents)?;
     check_runs(runs, contents)?;
+    let resolution = resolution(&setup)?;
     let within = request.within_mm.map(check_within).transpose()?;
     let mut notes = accepted_errors(contents);
     progress.stage("bending on the simulated machine");
@@ -311,6 +319,7 @@ pub fn simulate(
         runs,
         seed: request.seed,
         model,
+        resolution: resolution.into(),
         wires,
         tolerance,
         notes,
@@ -378,6 +387,7 @@ fn simulated_wire(wire: &JobWire, kept: &KeptWire, figures: &Figures) -> Simulat
         gaps: gaps.collect(),
         worst_machine_mm: made.map(|_| worst(|vertex| vertex.machine_mm.unwrap_or_default())),
         worst_systematic_mm: worst(|vertex| vertex.systematic_mm),
+        worst_rounded_mm: kept.worst_rounded_mm,
         worst_mean_mm: worst(|vertex| vertex.mean_mm),
         worst_radius_95_mm: worst(|vertex| vertex.radius_95_mm),
         sources: Vec::new(),

@@ -16,6 +16,7 @@ const wire = (more: Partial<Prediction["wires"][number]>): Prediction["wires"][n
   gaps: [],
   worst_machine_mm: null,
   worst_systematic_mm: 0,
+  worst_rounded_mm: 0,
   worst_mean_mm: 0,
   worst_radius_95_mm: 0,
   sources: [],
