@@ -3,7 +3,7 @@ import { basename } from "node:path";
 import type { Browser, Locator, Page } from "playwright-core";
 import { expect } from "vitest";
 import type { DesignView, MachineState } from "../../../ui/src/generated/responses.ts";
-import { barriers, type Complaints, openBrowser, openPage, picture } from "./browser.ts";
+import { barriers, type Complaints, openBrowser, openPage, picture, usualBrowser } from "./browser.ts";
 import { Loopback } from "./loopback.ts";
 
 export type Section =
@@ -31,7 +31,8 @@ export class Editor {
 
   private constructor(
     public loopback: Loopback,
-    private readonly browser: Browser,
+    /** Its own, where it needs one with other arguments than the usual. */
+    private readonly browser: Browser | null,
     readonly page: Page,
     private readonly complaints: Complaints,
   ) {
@@ -47,16 +48,25 @@ export class Editor {
     const home = Loopback.home();
     before(home);
     const loopback = await Loopback.start(home);
-    const browser = await openBrowser(browserArguments);
-    const [page, complaints] = await openPage(browser, loopback.url, options);
-    const editor = new Editor(loopback, browser, page, complaints);
-    await editor.ready();
+    const own = browserArguments.length > 0 ? await openBrowser(browserArguments) : null;
+    const [page, complaints] = await openPage(own ?? (await usualBrowser()), loopback.url, options);
+    const editor = new Editor(loopback, own, page, complaints);
+    try {
+      await editor.ready();
+    } catch (error) {
+      await editor.end();
+      throw error;
+    }
     return editor;
   }
 
   async end(): Promise<void> {
-    await this.browser.close();
-    await this.loopback.end();
+    try {
+      await this.page.context().close();
+      await this.browser?.close();
+    } finally {
+      await this.loopback.end();
+    }
   }
 
   /** The Rust side is killed and started again on what it has left, and the window with it. */
