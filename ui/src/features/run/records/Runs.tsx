@@ -4,7 +4,7 @@ import { count } from "../../../shared/figures/format";
 import { useUnit } from "../../../shared/figures/unit";
 import { Line } from "../../../shared/lists/Line";
 import { loadRuns, useRun } from "../../../state/machine/run";
-import { madePhrase } from "./records";
+import { bentNow, madePhrase } from "./records";
 
 /** More are of no interest at a machine. */
 const MAX = 30;
@@ -25,6 +25,8 @@ export function Runs() {
 
 function List() {
   const runs = useRun((run) => run.runs);
+  const state = useRun((run) => run.state);
+  const now = bentNow(runs, state);
   const unit = useUnit();
   if (!runs || runs.length === 0)
     return (
@@ -35,7 +37,7 @@ function List() {
   return (
     <ul>
       {runs.slice(0, MAX).map((run) => (
-        <Line key={run.id} {...madePhrase(run, unit)} title={run.id} />
+        <Line key={run.id} {...madePhrase(run, unit, run === now ? state : null)} title={run.id} />
       ))}
       {runs.length > MAX && <li className="muted small">and {runs.length - MAX} before them</li>}
     </ul>

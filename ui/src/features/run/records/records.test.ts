@@ -1,6 +1,7 @@
 import { expect, it } from "vitest";
 import type { RunEntry } from "../../../generated/responses";
-import { madePhrase } from "./records";
+import { machineState } from "../../../state/testing";
+import { bentNow, madePhrase } from "./records";
 
 const RUN: RunEntry = {
   id: "1",
@@ -41,4 +42,46 @@ it("says what became of a wire, as far as it is known", () => {
     what: "House",
     sub: "line 4 is cut",
   });
+});
+
+it("tells the wire that the machine is bending from those that were interrupted, and with the machine's own step", () => {
+  const open: RunEntry = { ...RUN, job_hash: "a", outcome: "unfinished", made: 0, worst_deviation_mm: null };
+  const older: RunEntry = { ...open, id: "0" };
+  const elsewhere: RunEntry = { ...open, id: "2", machine: "pensa" };
+  const runs = [elsewhere, open, older];
+  const wire = {
+    job_hash: "a",
+    name: "House",
+    wire: 0,
+    piece: null,
+    made: 2,
+    of: 5,
+    sent: 3,
+    in_step: 0,
+    done_by: "machine" as const,
+    elapsed_s: 4,
+    remaining_s: 6,
+    stock_left_mm: null,
+  };
+  const making = { ...machineState("making"), wire };
+  expect(bentNow(runs, making)).toBe(open);
+  expect(madePhrase(open, "mm", making)).toEqual({
+    tone: "info",
+    what: "House",
+    sub: "being bent: 2 of 5 steps done · wirebend-kit",
+  });
+  const held = { ...machineState("holding"), wire: { ...wire, done_by: "clock" as const } };
+  expect(madePhrase(open, "mm", held).sub).toContain("paused: 2 of 5 steps by the clock");
+  // Neither another piece or wire, nor one that the machine has let go of.
+  expect(
+    bentNow(
+      [
+        { ...open, piece: { number: 1, of: 2 } },
+        { ...open, wire: 1 },
+      ],
+      making,
+    ),
+  ).toBeNull();
+  expect(bentNow(runs, { ...machineState("stopped"), wire })).toBeNull();
+  expect(bentNow(runs, null)).toBeNull();
 });

@@ -3,6 +3,7 @@
 import type { RunEntry } from "../../../generated/responses";
 import { count, type DisplayUnit, deviation } from "../../../shared/figures/format";
 import type { Tone } from "../../../shared/lists/Mark";
+import { isInWire, type MachineState, type WireState } from "../../../state/machine/operator";
 
 const TONES: Readonly<Record<NonNullable<RunEntry["outcome"]>, Tone>> = {
   finished: "fine",
@@ -21,24 +22,46 @@ function outcome({ outcome: what, made, steps }: RunEntry): string {
   return `${what === "abandoned" ? "given up" : "interrupted"} after step ${made ?? "?"} of ${steps ?? "?"}`;
 }
 
-/** One record in a line: which wire and what became of it, and when. */
+/**
+ * The record of the wire that the connected machine is bending; null where it bends none. A journal without an end is that of a wire
+ * under way as much as of an interrupted one. `runs` has the last one first: what was begun before it on this machine is over.
+ */
+export function bentNow(runs: readonly RunEntry[] | null, state: MachineState | null): RunEntry | null {
+  if (!state?.wire || !isInWire(state.phase)) return null;
+  const { job_hash, wire, piece } = state.wire;
+  const isIt = (run: RunEntry) =>
+    run.outcome === "unfinished" &&
+    run.machine === state.machine &&
+    run.job_hash === job_hash &&
+    run.wire === wire &&
+    (run.piece?.number ?? null) === (piece?.number ?? null);
+  return runs?.find(isIt) ?? null;
+}
+
+/** "being bent: 2 of 5 steps done"; what the machine reports is newer than the record. */
+const underWay = ({ phase }: MachineState, { made, of, done_by }: WireState): string =>
+  `${phase === "holding" ? "paused" : "being bent"}: ${made} of ${of} steps ${done_by === "machine" ? "done" : "by the clock"}`;
+
+/** One record in a line: which wire and what became of it, and when. `by`: the machine that is bending it. */
 export function madePhrase(
   run: RunEntry,
   unit: DisplayUnit,
+  by: MachineState | null = null,
 ): { readonly tone: Tone; readonly what: string; readonly sub: string } {
   const { name, wire, piece, started, machine, interruptions, pauses, worst_deviation_mm: worst, problem } = run;
   const which = `${wire ? `, wire ${wire + 1}` : ""}${piece ? `, piece ${piece.number} of ${piece.of}` : ""}`;
   const what = `${name ?? "Unknown design"}${which}`;
   if (problem || !run.outcome) return { tone: "error", what, sub: problem ?? "Its journal cannot be read." };
+  const now = by?.wire ? underWay(by, by.wire) : null;
   const parts = [
-    outcome(run),
+    now ?? outcome(run),
     worst === null ? "" : `worst vertex ${deviation(worst, unit)}`,
     interruptions ? count(interruptions, "interruption") : "",
     pauses ? count(pauses, "pause") : "",
     started ? when(started) : "",
     machine ?? "",
   ];
-  return { tone: TONES[run.outcome], what, sub: parts.filter((part) => part !== "").join(" · ") };
+  return { tone: now ? "info" : TONES[run.outcome], what, sub: parts.filter((part) => part !== "").join(" · ") };
 }
 
 /** Wires that were begun and neither finished nor given up, the last one first. */
