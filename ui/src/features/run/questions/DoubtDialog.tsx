@@ -8,6 +8,11 @@ import { Dialog } from "../../../shared/layers/Dialog";
 import type { Answer, Axes, Doubt, PartOfStep } from "../../../state/machine/operator";
 import { answer, useRun } from "../../../state/machine/run";
 
+interface Measured {
+  readonly feed_mm: number | null;
+  readonly rotate_deg: number | null;
+}
+
 type Said = "made" | "not-made" | "as-counted" | "measured";
 
 /** A second click of a double one is no answer to the question that comes next, ms. */
@@ -25,13 +30,15 @@ export function DoubtDialog({ id, doubt }: { readonly id: number; readonly doubt
   }, []);
   const { told, before, counted } = doubt;
   const [said, setSaid] = useState<Said | null>(null);
-  const [measured, setMeasured] = useState<{ readonly feed_mm: number | null; readonly rotate_deg: number | null }>(
-    () => ({
-      feed_mm: counted ? counted.feed_mm : nothing(told.feed_mm),
-      rotate_deg: counted ? counted.rotate_deg : nothing(told.rotate_deg),
-    }),
-  );
-  const { feed_mm, rotate_deg } = measured;
+  const [measured, setMeasured] = useState<Measured>(() => ({
+    feed_mm: counted ? counted.feed_mm : nothing(told.feed_mm),
+    rotate_deg: counted ? counted.rotate_deg : nothing(told.rotate_deg),
+  }));
+  /** What stands in a field while it is typed in, null where that is no number: it counts instead of what stood there before. */
+  const [typed, setTyped] = useState<Partial<Measured>>({});
+  const type = (axis: keyof Measured) => (value: number | null, isTyping: boolean) =>
+    setTyped(({ [axis]: _, ...others }) => (isTyping ? { ...others, [axis]: value } : others));
+  const { feed_mm, rotate_deg } = { ...measured, ...typed };
   const part: PartOfStep | null = feed_mm === null || rotate_deg === null ? null : { feed_mm, rotate_deg };
   const words: Answer | null = said === "measured" ? part && { part } : said;
   const why = ordering ? "The answer is on its way." : unread ? "Look at the wire first." : null;
@@ -75,8 +82,9 @@ export function DoubtDialog({ id, doubt }: { readonly id: number; readonly doubt
             <NumberField
               label="Fed"
               prefix="Fed"
-              value={feed_mm}
+              value={measured.feed_mm}
               {...within(told.feed_mm)}
+              onType={type("feed_mm")}
               onCommit={(mm) => setMeasured({ ...measured, feed_mm: mm })}
             />
           )}
@@ -85,8 +93,9 @@ export function DoubtDialog({ id, doubt }: { readonly id: number; readonly doubt
               label="Turned"
               prefix="Turned"
               kind="angle"
-              value={rotate_deg}
+              value={measured.rotate_deg}
               {...within(told.rotate_deg)}
+              onType={type("rotate_deg")}
               onCommit={(deg) => setMeasured({ ...measured, rotate_deg: deg })}
             />
           )}

@@ -34,13 +34,15 @@ const doubtful = (id: number, counted: Doubt["counted"]): Question => ({
     in_step: 0,
   },
 });
-const type = (field: HTMLInputElement, text: string) => {
+const typeOn = (field: HTMLInputElement, text: string) =>
   act(() => {
     field.focus();
     // React listens to the setter of the prototype.
     Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set?.call(field, text);
     field.dispatchEvent(new Event("input", { bubbles: true }));
   });
+const type = (field: HTMLInputElement, text: string) => {
+  typeOn(field, text);
   act(() => field.blur());
 };
 const choose = (name: string) =>
@@ -112,6 +114,28 @@ it("offers nothing as counted where the machine does not count it, and takes wha
     if (field) type(field, text);
   press("Continue");
   expect(given()).toEqual([{ part: { feed_mm: 110.3, rotate_deg: 30 } }]);
+});
+
+it("follows what is typed: Continue can be pressed with the field still being typed in, and not with less than a number", () => {
+  useRun.setState({ question: doubtful(1, { feed_mm: 110.3, rotate_deg: 30 }) });
+  at.show(<QuestionDialog />);
+  act(() => vi.advanceTimersByTime(800));
+  choose("Measured");
+  const go = () => [...at.host.querySelectorAll("button")].find(({ textContent }) => textContent === "Continue");
+  const [fed] = at.host.querySelectorAll<HTMLInputElement>("input[inputmode]");
+  if (!fed) throw new Error("no field");
+  typeOn(fed, "59.6");
+  expect(go()?.getAttribute("aria-disabled")).toBeNull();
+  expect(at.host.textContent).toContain("feed 163.2 mm, rotate 60.0°, bend 45.0° from its beginning");
+  for (const wrong of ["", "59.6 x", "1000"]) {
+    typeOn(fed, wrong);
+    expect(go()?.title).toBe("Type what you measure.");
+    press("Continue");
+  }
+  expect(given()).toEqual([]);
+  typeOn(fed, "59.6");
+  press("Continue");
+  expect(given()).toEqual([{ part: { feed_mm: 59.6, rotate_deg: 30 } }]);
 });
 
 it("takes where the head stands, once it was said, and nothing beyond its cable", () => {
