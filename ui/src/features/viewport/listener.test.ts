@@ -10,7 +10,7 @@ import { useView } from "../../state/window/view";
 import { drawOf, endOf, listenerOf, strokeOf } from "./listener";
 
 describe("the strand that is shown in the panel", () => {
-  const state = { machine: null, next: [0, 0], stencils: [] } as unknown as DesignState;
+  const state = { machine: null, next: [0, 0], stencils: [], walks: [] } as unknown as DesignState;
   const made = {
     change: {
       state,

@@ -76,6 +76,37 @@ describe("changes", () => {
     expect(useProblems.getState().problems.map(({ message }) => message)).toEqual(["There is no vertex 1."]);
   });
 
+  it("say that they give a chosen order of the bends up, and no more once undo has brought it back", async () => {
+    const walk = { start: 0, edges: [1, 2] };
+    const answered = (walks: (typeof walk)[]) => ({
+      change: { ...made(1).change, state: state({ walks }) },
+      notes: [],
+    });
+    const said = () => useProblems.getState().problems.map(({ message }) => message);
+    const makes = async (change: Promise<unknown>, walks: (typeof walk)[]) => {
+      await turns();
+      answers.at(-1)?.answer(answered(walks));
+      await change;
+    };
+    await makes(edit({ edit: "walks", walks: [walk] }), [walk]);
+    await makes(edit({ edit: "notes", text: "" }), [walk]);
+    expect(said()).toEqual([]);
+    await makes(edit({ edit: "reversed", reversed: true }), []);
+    expect(said()).toEqual([
+      "The chosen order of the bends is given up: it was for the route before. Undo brings it back.",
+    ]);
+    await makes(undo(), [walk]);
+    expect(said()).toEqual([]);
+    // It is what was asked for, or done before.
+    await makes(edit({ edit: "walks", walks: [] }), []);
+    await makes(edit({ edit: "walks", walks: [walk, walk] }), [walk, walk]);
+    await makes(redo(), []);
+    expect(said()).toEqual([]);
+    await makes(undo(), [walk, walk]);
+    await makes(edit({ edit: "wires", wires: 3 }), []);
+    expect(said()[0]).toContain("The chosen orders of the bends of 2 wires are given up");
+  });
+
   it("are not made of another design that is on its way, and the person reads why", async () => {
     let there: () => void = () => {};
     const replaced = replacingDesign(() => new Promise<void>((resolve) => (there = resolve)));

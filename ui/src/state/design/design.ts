@@ -11,7 +11,7 @@ import type {
 } from "../../generated/responses";
 import { platform, Refused } from "../../platform";
 import type { Moved, SceneDesign, SceneEdge, SceneSurface, SceneVertex } from "../../scene/interface";
-import { tell, told } from "../asking/problems";
+import { dismissAll, tell, told } from "../asking/problems";
 import { inTurn, isBeingReplaced } from "./turns";
 
 /** All of the design but vertices, edges and surfaces. */
@@ -162,24 +162,44 @@ function surfaceOf(bytes: ArrayBuffer): SceneSurface | null {
 /** Why nothing can be changed just now; null where it can. */
 export const whyNoChange = (): string | null => (isBeingReplaced() ? "A file is being read." : null);
 
-/** Makes a change in its turn. While another design is on its way it is not made: it is not meant for that one. */
-async function changed(ask: () => Promise<EditMade>): Promise<ViewChange | null> {
+const GIVEN_UP = "order-given-up";
+
+/** An order of the bends may have been searched for long: says where an edit of something else has given it up. */
+function tellGivenUp(before: DesignState | null, after: DesignState): void {
+  const wires = before?.walks.length ?? 0;
+  if (wires === 0 || after.walks.length > 0) return;
+  const what =
+    wires === 1
+      ? "The chosen order of the bends is given up: it was for the route before. Undo brings it back."
+      : `The chosen orders of the bends of ${wires} wires are given up: they were for the routes before. Undo brings them back.`;
+  tell("info", what, GIVEN_UP);
+}
+
+/**
+ * Makes a change in its turn, and says what it has given up unless that is what was asked for. While another design is on its way it is
+ * not made: it is not meant for that one.
+ */
+async function changed(ask: () => Promise<EditMade>, tellsGivenUp = true): Promise<ViewChange | null> {
   const why = whyNoChange();
   if (why) {
     tell("info", `${why} Nothing was changed: another design is being opened.`, "being-read");
     return null;
   }
   return inTurn(async () => {
+    const before = useDesign.getState().state;
     const made = await told(ask());
     if (!made?.change) return null;
     await applyChange(made.change);
+    // Of the changes before nothing is said any more: undo may have brought it back.
+    dismissAll(GIVEN_UP);
+    if (tellsGivenUp) tellGivenUp(before, made.change.state);
     return made.change;
   });
 }
 
 /** Makes a change; null where it was refused, which the person has been shown. */
 export function edit(request: EditRequest): Promise<ViewChange | null> {
-  return changed(() => platform.ask("edit", { request }));
+  return changed(() => platform.ask("edit", { request }), request.edit !== "walks");
 }
 
 /** The same with a change that depends on how the design is when its turn comes; none where that is null. */
@@ -191,11 +211,11 @@ export function editAsItIs(request: (design: DesignStore) => EditRequest | null)
 }
 
 export async function undo(): Promise<void> {
-  await changed(() => platform.ask("undo", {}));
+  await changed(() => platform.ask("undo", {}), false);
 }
 
 export async function redo(): Promise<void> {
-  await changed(() => platform.ask("redo", {}));
+  await changed(() => platform.ask("redo", {}), false);
 }
 
 /** As the Rust side takes them. */

@@ -36,6 +36,7 @@ const view = () => ({
     machine: null,
     units: "mm",
     stencils: [],
+    walks: [],
     construction_mm: [],
     parts: [],
   },
