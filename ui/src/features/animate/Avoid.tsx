@@ -15,7 +15,7 @@ import {
 } from "../../state/design/fixes/avoiding";
 import { FixList } from "../check/FixList";
 import { showPlaces } from "../check/places";
-import { cutsOf, foundSoFar, inVainOf, obstacleOf, reachOf } from "../check/search_texts";
+import { cutsOf, foundSoFar, inVainOf, isUnsearched, obstacleOf, reachOf, unsearchedOf } from "../check/search_texts";
 import { metOf } from "../check/totals";
 import { SearchSettings } from "./SearchSettings";
 
@@ -23,8 +23,16 @@ import { SearchSettings } from "./SearchSettings";
 export function Avoid() {
   const found = useDesign(({ collisions }) => collisions?.found);
   const avoiding = useAvoiding((store) => store.avoiding);
-  const why = useSearchSettings(weighsNothing) ? "One of the weights of the search has to be more than 0." : null;
+  const weightless = useSearchSettings(weighsNothing);
+  const wires = useSearchSettings((settings) => settings.wires);
   const mine = avoiding !== null && avoiding.of === found ? avoiding : null;
+  // Only other wires have other bends that nothing avoids.
+  const inVain = mine?.outcome && mine.wires === wires && isUnsearched(mine.outcome);
+  const why = weightless
+    ? "One of the weights of the search has to be more than 0."
+    : inVain
+      ? "Nothing would be searched again: see in Check what can be done about the bends that no order avoids."
+      : null;
   if (mine && !mine.outcome) return <Underway ending={mine.ending} />;
   return (
     <>
@@ -98,7 +106,9 @@ function Outcome({ outcome }: { readonly outcome: AvoidedCollisions }) {
           {list([best])}
         </>
       )}
-      <p className="muted small">Check may have other fixes.</p>
+      <p className="muted small">
+        {isUnsearched(outcome) ? "Check says what can be done about them." : "Check may have other fixes."}
+      </p>
     </>
   );
 }
@@ -107,14 +117,15 @@ function Outcome({ outcome }: { readonly outcome: AvoidedCollisions }) {
 function Unfound({ report }: { readonly report: DiagnosticReport }) {
   const { search } = report;
   const unit = useUnit();
-  const title = obstacleOf(report, unit);
-  const vain = search ? [reachOf(search), ...inVainOf(search)] : [];
+  const unsearched = unsearchedOf(report);
+  const title = unsearched?.where ?? obstacleOf(report, unit);
+  const vain = search && !unsearched ? [reachOf(search), ...inVainOf(search)] : [];
   return (
     <Line
       tone="warning"
       what={
         <>
-          No order of the bends without a collision was found.
+          {unsearched?.why ?? "No order of the bends without a collision was found."}
           {title && (
             <button type="button" className="line-button" onClick={() => void showPlaces([report])}>
               {title}

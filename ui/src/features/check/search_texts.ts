@@ -1,6 +1,12 @@
 /** The words for what came of a search for an order of the bends that hits nothing. */
 
-import type { DiagnosticReport, FoundSoFar, HelpReport, UnfoundReport } from "../../generated/responses";
+import type {
+  AvoidedCollisions,
+  DiagnosticReport,
+  FoundSoFar,
+  HelpReport,
+  UnfoundReport,
+} from "../../generated/responses";
 import { count, type DisplayUnit, length, number } from "../../shared/figures/format";
 
 /** What was in the way where the search came farthest: "At vertex 1 the wire would hit the nozzle". */
@@ -17,6 +23,32 @@ export function obstacleOf({ vertex, body, search }: DiagnosticReport, unit: Dis
   const place = vertex === undefined || vertex === null ? "There" : `At vertex ${vertex}`;
   return `${place} ${what[search.obstacle]}`;
 }
+
+/**
+ * Of a part that was not searched, since it has bends that no order avoids: that, and where they are. Null where it was searched, or
+ * was ended before its first step.
+ */
+export function unsearchedOf({
+  vertex,
+  vertices,
+  search,
+}: DiagnosticReport): { readonly why: string; readonly where: string } | null {
+  const all = vertices?.length ? vertices : vertex === undefined || vertex === null ? [] : [vertex];
+  if (!search || search.steps_checked > 0 || search.passed !== null || all.length === 0) return null;
+  const NAMED = 6;
+  const named = all.slice(0, NAMED).join(", ");
+  const more = all.length - NAMED;
+  return all.length === 1
+    ? { why: "It was not searched: a bend that no order avoids comes first.", where: `The bend at vertex ${named}` }
+    : {
+        why: "It was not searched: bends that no order avoids come first.",
+        where: `The bends at vertices ${named}${more > 0 ? ` and ${more} more` : ""}`,
+      };
+}
+
+/** Whether nothing was searched, whatever the settings but the number of wires: then it would not be the next time either. */
+export const isUnsearched = ({ found, unfound }: AvoidedCollisions): boolean =>
+  !found && unfound.length > 0 && unfound.every((report) => unsearchedOf(report) !== null);
 
 /** What a search has found: "Found so far: 2 wires without a collision, 24.0 mm doubled." */
 export function foundSoFar({ part, parts, best }: FoundSoFar, unit: DisplayUnit): string {
@@ -35,7 +67,7 @@ export function reachOf({ passed, of, exhausted, steps_checked, ended }: Unfound
     ? "Every walk of one wire was tried."
     : steps_checked > 0
       ? `${number(steps_checked, 0)} steps were checked${ended ? " until it was ended" : ""}.`
-      : "It was not searched: bends that no order avoids come first.";
+      : "It was ended before it checked a step.";
   return [far, much].filter(Boolean).join(" ");
 }
 

@@ -12,6 +12,8 @@ import { applyFix, makesMoreWires } from "./fixes";
 interface Avoiding {
   /** The collisions that are to be avoided: of another design it is over. */
   readonly of: Collisions;
+  /** How many wires it was allowed. */
+  readonly wires: SearchSettings["wires"];
   /** Whether it is to end with the best that it has. */
   readonly ending: boolean;
   /** What came of it; null while it is under way. */
@@ -46,20 +48,21 @@ export async function avoidCollisions(): Promise<void> {
   const found = current();
   const before = useAvoiding.getState().avoiding;
   if (!found || (before?.of === found && !before.outcome)) return;
-  useAvoiding.setState({ avoiding: { of: found, ending: false, outcome: null } });
+  const settings = useSearchSettings.getState();
+  const asked = { of: found, wires: settings.wires, ending: false };
+  useAvoiding.setState({ avoiding: { ...asked, outcome: null } });
   // Of another design nobody waits for it.
   const watch = useDesign.subscribe(() => {
     if (current() === found) return;
     watch();
     stop();
   });
-  const settings = useSearchSettings.getState();
   const outcome = await told(asking("avoid-collisions", { settings }));
   watch();
   if (useAvoiding.getState().avoiding?.of !== found) return;
   if (current() !== found || !outcome) return useAvoiding.setState({ avoiding: null });
   const { best } = outcome;
-  useAvoiding.setState({ avoiding: { of: found, ending: false, outcome } });
+  useAvoiding.setState({ avoiding: { ...asked, outcome } });
   if (!best || !outcome.found || makesMoreWires(best)) return;
   if ((await applyFix(best)) && outcome.ended)
     tell(
