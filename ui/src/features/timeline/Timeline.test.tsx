@@ -2,14 +2,13 @@
 import { act } from "react";
 import { expect, it, vi } from "vitest";
 
-vi.mock("../../platform", () => ({
-  platform: { ask: vi.fn(), stop: vi.fn(), listen: vi.fn() },
-  Refused: class Refused extends Error {},
-}));
+const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(), listen: vi.fn() }));
+vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
 import type { PlayedWire } from "../../generated/responses";
 import type { Played } from "../../scene/interface";
 import { place } from "../../shared/testing";
+import { useProblems } from "../../state/asking/problems";
 import { useDesign } from "../../state/design/design";
 import { useByHand } from "../../state/machine/by_hand";
 import { useProgram } from "../../state/program/program";
@@ -82,4 +81,31 @@ it("does not deny a program that is made when it is played", () => {
   expect(at.host.textContent).toContain("not played yet");
   const why = [...at.host.querySelectorAll("button")].map((button) => button.title);
   expect(why).toEqual(["Press Play first.", "Play (Space)", "Press Play first."]);
+});
+
+it("plays nothing where there is no program, and says so, until the design is another one", async () => {
+  useByHand.setState({ moves: 0, played: null });
+  useProblems.setState({ problems: [] });
+  useProgram.setState({ program: null, basis: null });
+  useDesign.setState({
+    vertices: new Map([[0, { id: 0, at: [0, 0, 0], support: false }]]),
+    edges: new Map(),
+    state: designState({ machine: "kit" }),
+  });
+  platform.ask.mockImplementation(async (ask: string) => {
+    if (ask === "program") throw new Error("Vertex 3 needs a bend that the machine cannot make.");
+    return null;
+  });
+  at.show(<Timeline />);
+  const buttons = () => [...at.host.querySelectorAll("button")];
+  await act(async () => {
+    buttons()[1]?.click();
+    await new Promise((resolve) => setTimeout(resolve));
+  });
+  const none = "There is no program: see Check.";
+  expect(buttons().map(({ title }) => title)).toEqual([none, none, none]);
+  expect(buttons()[1]?.getAttribute("aria-disabled")).toBe("true");
+  expect(useProblems.getState().problems.map(({ message }) => message)).toEqual([none]);
+  act(() => useDesign.setState({ edges: new Map([[0, { id: 0, a: 0, b: 1 }]]) }));
+  expect(buttons()[1]?.title).toBe("Play (Space)");
 });

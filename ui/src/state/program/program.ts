@@ -1,7 +1,7 @@
 import { create } from "zustand";
 import type { MachineViewResponse, MadeResponse, ProgramResponse, RunFileReport } from "../../generated/responses";
 import type { Played, Shown } from "../../scene/interface";
-import { told } from "../asking/problems";
+import { tell, told } from "../asking/problems";
 import { asking } from "../asking/work";
 import { choicesOf, type DesignStore, useDesign } from "../design/design";
 import { useMachines, viewOf } from "../machine/machines";
@@ -134,6 +134,14 @@ let underway: Promise<boolean> = Promise.resolve(false);
 /** Whether there is a wire to play. */
 const hasWires = (): boolean => (useProgram.getState().program?.wires.length ?? 0) > 0;
 
+/** Why nothing can be played of what is open as it is: it was asked for and has no program. Null where it has, or before it was asked. */
+export function whyNoProgram(): string | null {
+  if (!isUpToDate() || hasWires()) return null;
+  const { problem } = useProgram.getState();
+  if (problem !== null) return `There is no program: ${problem}`;
+  return useRunFile.getState().file ? "This file has no program to play." : "There is no program: see Check.";
+}
+
 /** Brings the program up to date; true when there is one. */
 export async function makeProgram(): Promise<boolean> {
   const basis = basisNow();
@@ -242,7 +250,12 @@ export async function goTo(step: number): Promise<void> {
 }
 
 async function play(): Promise<void> {
-  if (!(await makeToPlay())) return;
+  if (!(await makeToPlay())) {
+    const why = whyNoProgram();
+    // Only now it is known: a press that did nothing at all would be pressed again.
+    if (why) tell("info", why, "no-program");
+    return;
+  }
   const { played, step } = usePlayback.getState();
   if (!played) show(0);
   else if (step >= played.steps.length) show(0);

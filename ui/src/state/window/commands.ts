@@ -19,10 +19,11 @@ import {
 } from "../files/files";
 import { setPicking, useFrame } from "../frame/frame";
 import { showFrame, useShape } from "../frame/shape";
+import { useMachines } from "../machine/machines";
 import { isInWire } from "../machine/operator";
 import { pauseByKey, stop, useRun } from "../machine/run";
 import { shownDesign } from "../parts/parts";
-import { showDesignAgain, togglePlay, usePlayback } from "../program/program";
+import { showDesignAgain, togglePlay, usePlayback, useProgram, whyNoProgram } from "../program/program";
 import { useRunFile } from "../program/run_file";
 import { hideSequence, togglePlaySequence, useSequence } from "../sequence/sequence";
 import { showHints } from "./hints";
@@ -75,7 +76,7 @@ const bends = (): boolean => {
 };
 
 /** Whether there is something to play: a design with a machine, or a file that is run. */
-const playable = () => (useRunFile.getState().file ? null : (anything() ?? machine()));
+const playable = () => (useRunFile.getState().file ? null : (anything() ?? machine())) ?? whyNoProgram();
 const machine = () => (useDesign.getState().state?.machine ? null : "Choose a machine first.");
 const dialog = (name: DialogName) => () => useUi.getState().showDialog(name);
 const operation = (name: OperationName) => () => useUi.getState().showOperation(name);
@@ -296,6 +297,9 @@ export function useWhyNot(id: CommandId): string | null {
   useSelection(({ edges: some }) => some);
   useSelection(({ lines: some }) => some);
   usePlayback(({ live }) => live);
+  useProgram(({ basis }) => basis);
+  useMachines(({ changes }) => changes);
+  useRunFile(({ file }) => file);
   useFiles(({ busy }) => busy);
   useView(({ tool }) => tool);
   useView(({ plane }) => plane);
