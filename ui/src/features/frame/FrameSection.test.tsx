@@ -10,7 +10,7 @@ import { useDesign } from "../../state/design/design";
 import { select } from "../../state/design/selection";
 import { forgetFrame, useFrame } from "../../state/frame/frame";
 import { useShape } from "../../state/frame/shape";
-import { frameShown, smallFrame } from "../../state/frame/testing";
+import { frameShown, movedFrame, smallFrame } from "../../state/frame/testing";
 import { designState } from "../../state/testing";
 import { useUi } from "../../state/window/ui";
 import { FrameSection } from "./FrameSection";
@@ -69,12 +69,14 @@ it("shows the frequency of bowed struts beside that of straight ones, and what w
   expect(at.host.textContent).toContain("No strut ends at the support at vertex 5");
 });
 
-it("says that the design has changed since", async () => {
+it("says that the design has changed since, and no more once that is undone", async () => {
   at.show(<FrameSection />);
   await press("Compute");
-  act(() => useDesign.setState({ version: 2 }));
+  act(() => useDesign.setState({ ...movedFrame(), version: 2 }));
   expect(at.host.textContent).toContain("changed since");
   expect(at.host.textContent).toContain("Changed since it was computed.");
+  act(() => useDesign.setState({ ...smallFrame(), version: 3 }));
+  expect(at.host.textContent?.toLowerCase()).not.toContain("changed since");
 });
 
 it("shows what is refused, with what to do", async () => {

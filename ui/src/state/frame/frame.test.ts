@@ -23,7 +23,7 @@ import {
   useFrame,
 } from "./frame";
 import { enlarge, showFrame, swingAt, toggleSwing, useShape } from "./shape";
-import { frameShown, smallFrame } from "./testing";
+import { frameShown, movedFrame, smallFrame } from "./testing";
 
 beforeEach(() => {
   ask.mockReset();
@@ -118,12 +118,45 @@ const changeProfile = () => useMachines.setState(({ changes }) => ({ changes: ch
 
 it("is of the design and the profiles as they were", async () => {
   ask.mockResolvedValue(frameShown());
-  for (const change of [() => useDesign.setState({ version: 2 }), changeProfile, () => chooseFrame({ modes: 2 })]) {
+  const move = () => useDesign.setState({ ...movedFrame(), version: 2 });
+  for (const change of [move, changeProfile, () => chooseFrame({ modes: 2 })]) {
     await computeFrame();
     expect(isFrameStale()).toBe(false);
     change();
     expect(isFrameStale()).toBe(true);
   }
+});
+
+it("is of a design that was changed and is again as it was, and of one that was changed in what it does not depend on", async () => {
+  ask.mockResolvedValue(frameShown());
+  await computeFrame();
+  const wall = smallFrame();
+  const held = new Map(wall.vertices).set(2, { id: 2, at: [0, 0, 100], support: true });
+  const heavy = new Map(wall.vertices).set(2, {
+    id: 2,
+    at: [0, 0, 100],
+    support: false,
+    joint: { kind: "solder", mass_g: 2 },
+  });
+  const edges = new Map(wall.edges).set(1, { id: 1, a: 0, b: 1 });
+  for (const change of [movedFrame(), { vertices: held }, { vertices: heavy }, { edges }]) {
+    useDesign.setState({ ...change, version: 2 });
+    expect(isFrameStale()).toBe(true);
+    useDesign.setState({ ...smallFrame(), version: 3 });
+    expect(isFrameStale()).toBe(false);
+  }
+  useDesign.setState({ state: designState({ name: "B", reversed: true }), version: 4 });
+  expect(isFrameStale()).toBe(false);
+  // Its machine decides what the struts are of, where the design does not say it.
+  useDesign.setState({ state: designState({ machine: "kit" }) });
+  expect(isFrameStale()).toBe(true);
+  // Wires that are closed run as the design says, and supports of the design do not count where others are chosen.
+  chooseFrame({ errors: "typical", hold: "free" });
+  await computeFrame();
+  useDesign.setState({ vertices: held });
+  expect(isFrameStale()).toBe(false);
+  useDesign.setState({ state: designState({ machine: "kit", reversed: true }) });
+  expect(isFrameStale()).toBe(true);
 });
 
 describe("the tolerance", () => {
@@ -161,10 +194,8 @@ describe("a truss of closed formulas", () => {
     require({ surface: 1, continuum });
     await askTolerance();
     expect(ask).toHaveBeenCalledWith("tolerance", expect.objectContaining({ continuum, faces: null }));
-    const { basis } = useFrame.getState().tolerance ?? {};
-    useDesign.setState({ version: 2 });
-    await askTolerance();
-    expect(useFrame.getState().tolerance?.basis).toBe(basis);
+    useDesign.setState({ ...movedFrame(), version: 2 });
+    expect(isToleranceStale()).toBe(false);
   });
 });
 

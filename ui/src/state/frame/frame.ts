@@ -4,9 +4,10 @@ import { create } from "zustand";
 import type { ClosingName, ContinuumChoice, FrameDesign, FrameSupports, VaryName } from "../../generated/requests";
 import type { FrameChoices, FrameShown, LoadCaseEntry, ToleranceResponse } from "../../generated/responses";
 import { platform } from "../../platform";
-import type { Vec3 } from "../../scene/interface";
+import type { SceneDesign, Vec3 } from "../../scene/interface";
 import { told } from "../asking/problems";
 import { asking } from "../asking/work";
+import { type Basis, basisNow, isSame, type Mark, wiresOf } from "../design/content";
 import { useDesign } from "../design/design";
 import { useMachines } from "../machine/machines";
 import { type Faces, facesAsked, facesStillThere } from "./faces";
@@ -59,7 +60,7 @@ export interface Required {
 /** An answer, and what it is of. */
 interface Answer<T> {
   readonly value: T;
-  readonly basis: string;
+  readonly basis: Basis;
   /** The faces that are measured; null: all vertices count. */
   readonly faces: Faces | null;
 }
@@ -166,15 +167,17 @@ function supports({ hold, chosen }: FrameChoice): FrameSupports {
 }
 
 /** What an answer is of: with anything of this another it is out of date. */
-function basisOf(choice: FrameChoice): string {
-  const { version, state } = useDesign.getState();
-  return JSON.stringify([
-    version,
-    useMachines.getState().changes,
-    state?.material,
-    choice.errors === null ? null : state?.machine,
-    frameRequest(choice),
-  ]);
+function basisOf(choice: FrameChoice): Basis {
+  const { state } = useDesign.getState();
+  const wires = choice.errors === null ? null : wiresOf(state);
+  return basisNow(useMachines.getState().changes, materialOf(choice), wires, frameRequest(choice));
+}
+
+/** What the struts are of: without a choice, and without one of the design, its machine decides. */
+function materialOf({ material }: FrameChoice): unknown {
+  const { state } = useDesign.getState();
+  const own = material ?? state?.material ?? null;
+  return own === null ? [state?.machine] : own;
 }
 
 /** What is asked of the Rust side. */
@@ -185,7 +188,9 @@ export function frameRequest(choice: FrameChoice): FrameDesign {
     supports: supports(choice),
     gravity: gravity && ([...gravity] as [number, number, number]),
     loads: loadFile && { file: { file: loadFile.path }, case: loadFile.chosen },
-    forces: [...forces].map(([vertex, force]) => ({ vertex, force_n: [...force] as [number, number, number] })),
+    forces: [...forces]
+      .toSorted(([a], [b]) => a - b)
+      .map(([vertex, force]) => ({ vertex, force_n: [...force] as [number, number, number] })),
     modes,
     bow: bow > 0 && modes > 0 ? { share: bow, seed: 1 } : null,
     close: errors === null ? null : { errors, closing, runs, seed: 1, faces: facesAsked(faces) },
@@ -193,22 +198,26 @@ export function frameRequest(choice: FrameChoice): FrameDesign {
   };
 }
 
-function toleranceBasis({ required, material, closing, double, faces }: FrameStore): string {
-  const { version, state } = useDesign.getState();
-  const { continuum } = required;
-  const design = continuum ? null : [version, state?.machine, closing, double, faces];
-  return JSON.stringify([design, useMachines.getState().changes, state?.material, required, material]);
+function toleranceBasis(frame: FrameStore): Basis {
+  const { required, closing, double, faces } = frame;
+  const design = required.continuum ? null : [wiresOf(useDesign.getState().state), closing, double, faces];
+  const basis = basisNow(design, useMachines.getState().changes, materialOf(frame), required);
+  return design ? basis : { ...basis, vertices: NO_DESIGN.vertices, edges: NO_DESIGN.edges };
 }
+
+/** A truss of closed formulas is no design. */
+const NO_DESIGN: SceneDesign = { vertices: new Map(), edges: new Map() };
 
 /** Whether anything was changed since the frame was computed. */
 export function isFrameStale(): boolean {
   const frame = useFrame.getState();
-  return frame.answer !== null && frame.answer.basis !== basisOf(frame);
+  const marks: readonly Mark[] = frame.hold === "design" ? ["joint", "support"] : ["joint"];
+  return frame.answer !== null && !isSame(frame.answer.basis, basisOf(frame), marks);
 }
 
 export function isToleranceStale(): boolean {
   const frame = useFrame.getState();
-  return frame.tolerance !== null && frame.tolerance.basis !== toleranceBasis(frame);
+  return frame.tolerance !== null && !isSame(frame.tolerance.basis, toleranceBasis(frame), ["joint"]);
 }
 
 /** What {@link isFrameStale} depends on: who shows it is drawn anew. */

@@ -17,6 +17,12 @@ export const smallFrame = (): SceneDesign => ({
   ]),
 });
 
+/** The same with its upper vertex elsewhere. */
+export function movedFrame(): SceneDesign {
+  const { vertices, edges } = smallFrame();
+  return { vertices: new Map(vertices).set(2, { id: 2, at: [0, 0, 120], support: false }), edges };
+}
+
 const line = (from: [number, number, number], to: [number, number, number]): [number, number, number][] => [from, to];
 
 export const frameShown = (): FrameShown => ({

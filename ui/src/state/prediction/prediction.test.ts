@@ -6,6 +6,7 @@ vi.mock("../../platform", () => ({ platform: { ask }, Refused: class Refused ext
 import type { Prediction } from "../../generated/responses";
 import { useDesign } from "../design/design";
 import { useFrame } from "../frame/frame";
+import { movedFrame, smallFrame } from "../frame/testing";
 import { useMachines } from "../machine/machines";
 import { designState } from "../testing";
 import {
@@ -31,7 +32,7 @@ beforeEach(() => {
   forgetPrediction();
   choosePrediction({ noise: null, within: 1, shown: true });
   useFrame.setState({ choices: { errors, strut_builders: [] } });
-  useDesign.setState({ state: designState(), version: 1 });
+  useDesign.setState({ ...smallFrame(), state: designState(), version: 1 });
 });
 
 describe("the errors that are taken", () => {
@@ -60,8 +61,23 @@ describe("predicting", () => {
     choosePrediction({ shown: false });
     expect(predictedNow()).toBeNull();
     choosePrediction({ shown: true });
-    useDesign.setState({ version: 2 });
+    useDesign.setState({ ...movedFrame(), version: 2 });
     expect(predictedNow()).toBeNull();
+  });
+
+  it("shows the answer again once the design is as it was, or was changed in what has no part in it", async () => {
+    ask.mockResolvedValue({ found });
+    await predict();
+    const { vertices } = smallFrame();
+    const held = new Map(vertices).set(2, { id: 2, at: [0, 0, 100], support: true });
+    for (const change of [{ state: designState({ reversed: true }) }, movedFrame()]) {
+      useDesign.setState({ ...change, version: 2 });
+      expect(predictedNow()).toBeNull();
+      useDesign.setState({ ...smallFrame(), state: designState(), version: 3 });
+      expect(predictedNow()).toEqual(found);
+    }
+    useDesign.setState({ vertices: held, state: designState({ notes: "for the wall" }), version: 4 });
+    expect(predictedNow()).toEqual(found);
   });
 
   it("shows nothing of a profile before", async () => {

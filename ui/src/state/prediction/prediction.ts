@@ -4,6 +4,7 @@ import { create } from "zustand";
 import type { Prediction } from "../../generated/responses";
 import { platform } from "../../platform";
 import { asking } from "../asking/work";
+import { type Basis, basisNow, isSame, wiresOf } from "../design/content";
 import { useDesign } from "../design/design";
 import { useFrame } from "../frame/frame";
 import { useMachines } from "../machine/machines";
@@ -11,7 +12,7 @@ import { useMachines } from "../machine/machines";
 interface Answer {
   readonly value: Prediction;
   /** What it is of. */
-  readonly basis: string;
+  readonly basis: Basis;
 }
 
 interface PredictionStore {
@@ -66,11 +67,13 @@ const taken = (): string | null =>
     useFrame.getState().choices?.errors ?? [],
   );
 
-function basisOf(): string {
-  const { version, state } = useDesign.getState();
-  const { changes } = useMachines.getState();
-  return JSON.stringify([version, changes, state?.machine, state?.material, taken(), usePrediction.getState().within]);
+function basisOf(): Basis {
+  const { state } = useDesign.getState();
+  return basisNow(useMachines.getState().changes, wiresOf(state), taken(), usePrediction.getState().within);
 }
+
+/** Supports, joints and ceilings have no part in how a wire is bent. */
+const isCurrent = ({ basis }: Answer): boolean => isSame(basis, basisOf(), []);
 
 /** Whether anything was changed since it was predicted. */
 export function usePredictionStale(): boolean {
@@ -78,13 +81,13 @@ export function usePredictionStale(): boolean {
   useMachines(({ changes }) => changes);
   useFrame(({ choices }) => choices);
   const { answer } = usePrediction();
-  return answer !== null && answer.basis !== basisOf();
+  return answer !== null && !isCurrent(answer);
 }
 
 /** What is shown of it: an answer that is of the design as it is. */
 export const predictedNow = (): Prediction | null => {
   const { answer, shown } = usePrediction.getState();
-  return shown && answer?.basis === basisOf() ? answer.value : null;
+  return shown && answer && isCurrent(answer) ? answer.value : null;
 };
 
 /** Of several questions only the last one's answer counts. */

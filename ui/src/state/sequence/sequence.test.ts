@@ -5,7 +5,7 @@ vi.mock("../../platform", () => ({ platform: { ask }, Refused: class Refused ext
 
 import { useDesign } from "../design/design";
 import { showFrame, useShape } from "../frame/shape";
-import { smallFrame } from "../frame/testing";
+import { movedFrame, smallFrame } from "../frame/testing";
 import { useMachines } from "../machine/machines";
 import { usePlayback } from "../program/program";
 import { designState } from "../testing";
@@ -52,7 +52,7 @@ it("finds a sequence, and shows all of it built in place of a frame", async () =
 
 it("is of the design, the builder and the profiles as they were", async () => {
   const changes = [
-    () => useDesign.setState({ version: 2 }),
+    () => useDesign.setState({ ...movedFrame(), version: 2 }),
     () => useMachines.setState(({ changes }) => ({ changes: changes + 1 })),
     () => chooseBuilder("other"),
   ];
@@ -62,6 +62,30 @@ it("is of the design, the builder and the profiles as they were", async () => {
     change();
     expect(isSequenceStale()).toBe(true);
   }
+});
+
+it("is of a design that is again as it was, and asks for the walks of wires only where these are placed", async () => {
+  await findSequence("abs");
+  const { vertices, edges } = smallFrame();
+  const last = { id: 0, a: 0, b: 2, ceiling: true };
+  const ceiling = new Map(edges).set(0, last);
+  const held = new Map(vertices).set(2, { id: 2, at: [0, 0, 100], support: true });
+  const clip = { kind: "snap-fit", mass_g: 5 } as const;
+  const heavy = new Map(vertices).set(2, { id: 2, at: [0, 0, 100], support: false, joint: clip });
+  for (const change of [movedFrame(), { edges: ceiling }, { vertices: held }, { vertices: heavy }]) {
+    useDesign.setState({ ...change, version: 2 });
+    expect(isSequenceStale()).toBe(true);
+    useDesign.setState({ vertices, edges, version: 3 });
+    expect(isSequenceStale()).toBe(false);
+  }
+  const walks = designState({ walks: [{ start: 0, edges: [0, 1] }] });
+  useDesign.setState({ state: walks });
+  expect(isSequenceStale()).toBe(false);
+  chooseGroups("wire");
+  await findSequence("abs");
+  useDesign.setState({ state: designState() });
+  expect(isSequenceStale()).toBe(true);
+  chooseGroups("edge");
 });
 
 it("shows nothing of a search that has found none, or was refused", async () => {

@@ -5,6 +5,7 @@ import type { GroupBy, OrderedStep } from "../../generated/requests";
 import type { DrawnSequence } from "../../generated/responses";
 import { platform } from "../../platform";
 import { asking } from "../asking/work";
+import { type Basis, basisNow, isSame } from "../design/content";
 import { useDesign } from "../design/design";
 import { showFrame } from "../frame/shape";
 import { hideByHand } from "../machine/by_hand";
@@ -23,7 +24,7 @@ interface SequenceStore {
   /** The same in an order that a person has changed, as it was checked. */
   readonly changed: DrawnSequence | null;
   /** What it is of. */
-  readonly basis: string;
+  readonly basis: Basis | null;
   readonly asking: boolean;
   readonly checking: boolean;
   /** A person has ended the last search: what was found before is shown on. */
@@ -42,7 +43,7 @@ interface SequenceStore {
 const NONE = {
   found: null,
   changed: null,
-  basis: "",
+  basis: null,
   asking: false,
   checking: false,
   cancelled: false,
@@ -80,15 +81,18 @@ export function showLayers(layers: boolean): void {
   useSequence.setState({ layers });
 }
 
-function basisOf({ machine, epsilon, groupBy }: Pick<SequenceStore, "machine" | "epsilon" | "groupBy">): string {
-  const { version } = useDesign.getState();
-  return JSON.stringify([version, useMachines.getState().changes, machine, epsilon, groupBy]);
+function basisOf({ machine, epsilon, groupBy }: Pick<SequenceStore, "machine" | "epsilon" | "groupBy">): Basis {
+  const { state } = useDesign.getState();
+  // The walks of the wires say what is placed at once.
+  const walks = groupBy === "wire" ? state?.walks : null;
+  return basisNow(useMachines.getState().changes, machine, epsilon, groupBy, state?.material, walks);
 }
 
 /** Whether anything was changed since it was found. */
 export function isSequenceStale(): boolean {
   const sequence = useSequence.getState();
-  return sequence.found !== null && sequence.basis !== basisOf(sequence);
+  const { found, basis } = sequence;
+  return found !== null && (basis === null || !isSame(basis, basisOf(sequence), ["joint", "support", "ceiling"]));
 }
 
 export function useSequenceStale(): boolean {
