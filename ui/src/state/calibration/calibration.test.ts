@@ -15,6 +15,7 @@ import { useMachines } from "../machine/machines";
 import { designState } from "../testing";
 import {
   applyCalibration,
+  closeCalibration,
   enterReading,
   openCalibration,
   openSheet,
@@ -29,6 +30,7 @@ let views: Record<string, boolean>;
 
 beforeEach(async () => {
   localStorage.clear();
+  useCalibration.setState(useCalibration.getInitialState());
   views = { machine: true, material: false };
   ask.mockReset();
   edit.mockClear();
@@ -59,6 +61,39 @@ it("says why a reading was not entered, and goes on", async () => {
   expect(useCalibration.getState()).toMatchObject({ problem: "the disk is full", busy: false });
   expect(row && (await enterReading(row, 1, 38))).toBe(true);
   expect(useCalibration.getState().problem).toBeNull();
+});
+
+it("loses no reading that is on its way while the dialog is closed and opened again", async () => {
+  const [row] = useCalibration.getState().sheet?.rows ?? [];
+  if (!row) throw new Error("no row");
+  const answer = ask.getMockImplementation();
+  let done: (value: unknown) => void = () => {};
+  ask.mockImplementation((name: string, request: object) =>
+    name === "calibrate-enter" && asked(name).length === 1
+      ? new Promise((resolve) => (done = resolve))
+      : answer?.(name, request),
+  );
+  const both = [enterReading(row, 0, 37.9), enterReading(row, 1, 38)];
+  await vi.waitFor(() => expect(asked("calibrate-enter")).toHaveLength(1));
+  closeCalibration();
+  openCalibration();
+  expect(useCalibration.getState()).toMatchObject({ open: true, step: "measure", busy: true });
+  done({});
+  expect(await Promise.all(both)).toEqual([true, true]);
+  expect(asked("calibrate-enter").map(({ readings }) => readings)).toEqual([
+    ["side-35:1=37.9,-"],
+    ["side-35:1=38.1,38"],
+  ]);
+  await vi.waitFor(() => expect(useCalibration.getState().busy).toBe(false));
+  expect(useCalibration.getState().sheet?.sheet).toBe("/c/sheet.csv");
+});
+
+it("does not call a reading entered whose row the sheet has no more", async () => {
+  const [row] = useCalibration.getState().sheet?.rows ?? [];
+  expect(row && (await enterReading({ ...row, line: 99 }, 0, 38))).toBe(false);
+  expect(useCalibration.getState().problem).toBe(
+    "The sheet has no row 1 of side-35 any more: the reading was not entered.",
+  );
 });
 
 it("gives the design its machine and wire of before, and a profile that was replaced its values", async () => {
@@ -94,10 +129,22 @@ it("has the machine's values asked anew where only those of the wire cannot be a
 });
 
 it("opens the last sheet again, and says nothing where it is gone", async () => {
-  openCalibration();
-  await vi.waitFor(() => expect(useCalibration.getState()).toMatchObject({ step: "measure", busy: false }));
-  ask.mockRejectedValueOnce(new Error("no such file"));
-  openCalibration();
-  await vi.waitFor(() => expect(useCalibration.getState().busy).toBe(false));
-  expect(useCalibration.getState()).toMatchObject({ step: "coupons", sheet: null });
+  const opened = async () => {
+    const before = asked("calibrate-sheet").length;
+    openCalibration();
+    await vi.waitFor(() => expect(asked("calibrate-sheet").length).toBeGreaterThan(before));
+    await vi.waitFor(() => expect(useCalibration.getState().busy).toBe(false));
+  };
+  // Of a window before, and of this one.
+  for (const before of [useCalibration.getInitialState(), useCalibration.getState()]) {
+    useCalibration.setState(before);
+    await opened();
+    expect(useCalibration.getState()).toMatchObject({ step: "measure", sheet: { sheet: "/c/sheet.csv" } });
+    useCalibration.setState(before);
+    ask.mockRejectedValueOnce(new Error("no such file"));
+    await opened();
+    await vi.waitFor(() =>
+      expect(useCalibration.getState()).toMatchObject({ step: "coupons", sheet: null, problem: null }),
+    );
+  }
 });

@@ -90,10 +90,29 @@ function working(work: () => Promise<void>): Promise<boolean> {
 }
 
 export function openCalibration(): void {
+  const { sheet: known, made, shape, report, gap, busy } = useCalibration.getState();
+  if (known) {
+    // What is being entered goes into this sheet; it is read anew after that, since others may have written into it.
+    useCalibration.setState({ ...EMPTY, open: true, step: "measure", sheet: known, made, shape, report, gap, busy });
+    void readAgain();
+    return;
+  }
   useCalibration.setState({ ...EMPTY, open: true });
   const sheet = stored(KEY);
   // A sheet that is not there any more is no problem of today.
   if (sheet) void openSheet(sheet, "measure").then((done) => !done && useCalibration.setState({ problem: null }));
+}
+
+/** The same sheet as it is now, after all that is being entered; none where it is gone. */
+function readAgain(): Promise<boolean> {
+  return working(async () => {
+    const { sheet } = useCalibration.getState();
+    try {
+      if (sheet) await read(sheet.sheet);
+    } catch {
+      useCalibration.setState(({ open }) => ({ ...EMPTY, open, busy: true }));
+    }
+  });
 }
 
 export function closeCalibration(): void {
@@ -169,7 +188,8 @@ export function enterReading(row: CalibrationRow, at: number, value: number | nu
     const { sheet } = useCalibration.getState();
     // What was entered into the row just before counts.
     const now = sheet?.rows.find(({ line }) => line === row.line);
-    if (!sheet || !now) return;
+    if (!sheet || !now)
+      throw new Error(`The sheet has no row ${row.row} of ${row.coupon} any more: the reading was not entered.`);
     const readings = Array.from({ length: Math.max(at + 1, now.readings.length) }, (_, index) =>
       index === at ? value : (now.readings[index] ?? null),
     );

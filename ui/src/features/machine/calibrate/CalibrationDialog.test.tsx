@@ -7,7 +7,7 @@ vi.mock("../../../platform", () => ({ platform: { ask }, Refused: class Refused 
 
 import type { CalibrationRow } from "../../../generated/responses";
 import { place } from "../../../shared/testing";
-import { openCalibration, openSheet } from "../../../state/calibration/calibration";
+import { openCalibration, openSheet, useCalibration } from "../../../state/calibration/calibration";
 import { useDesign } from "../../../state/design/design";
 import { designState } from "../../../state/testing";
 import { CalibrationDialog } from "./CalibrationDialog";
@@ -37,6 +37,7 @@ beforeEach(() => {
     return { machines: [], materials: [] };
   });
   localStorage.clear();
+  useCalibration.setState(useCalibration.getInitialState());
   useDesign.setState({ state: designState({ machine: "wirebend-kit", material: "steel-1mm" }) });
 });
 
