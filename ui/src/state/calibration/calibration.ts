@@ -7,7 +7,7 @@ import type {
   CalibrationRow,
   CalibrationSheet,
 } from "../../generated/responses";
-import { platform } from "../../platform";
+import { platform, Refused } from "../../platform";
 import { edit, useDesign } from "../design/design";
 import { profilesChanged } from "../machine/machines";
 import { store, stored } from "../window/ui";
@@ -17,6 +17,17 @@ export type CalibrationStep = "coupons" | "measure" | "fit" | "apply" | "version
 
 /** What the springback may depend on; `better`: what predicts best. */
 export type SpringbackShape = "better" | "constant" | "curve";
+
+/** Coupons as they are asked for. */
+export interface CouponRequest {
+  readonly machine: string;
+  readonly material: string;
+  /** Empty: a usual set. */
+  readonly angles_deg: readonly number[];
+  readonly repeats: number;
+  readonly paper: string;
+  readonly folder: string;
+}
 
 /** What was applied, and the way back. */
 interface Applied {
@@ -33,6 +44,10 @@ interface CalibrationStore {
   readonly step: CalibrationStep;
   readonly sheet: CalibrationSheet | null;
   readonly made: CalibrateNewResponse | null;
+  /** What they were made for. */
+  readonly madeFor: CouponRequest | null;
+  /** A folder in which coupons were not made, since it has some: to replace them is for a person to say. */
+  readonly occupied: string | null;
   readonly shape: SpringbackShape;
   /** What the sheet tells; null where it tells nothing yet: see `gap`. */
   readonly report: CalibrationReport | null;
@@ -53,6 +68,8 @@ const EMPTY: CalibrationStore = {
   step: "coupons",
   sheet: null,
   made: null,
+  madeFor: null,
+  occupied: null,
   shape: "better",
   report: null,
   gap: null,
@@ -90,10 +107,11 @@ function working(work: () => Promise<void>): Promise<boolean> {
 }
 
 export function openCalibration(): void {
-  const { sheet: known, made, shape, report, gap, busy } = useCalibration.getState();
+  const { sheet: known, made, madeFor, shape, report, gap, busy } = useCalibration.getState();
   if (known) {
+    const kept = { sheet: known, made, madeFor, shape, report, gap, busy };
     // What is being entered goes into this sheet; it is read anew after that, since others may have written into it.
-    useCalibration.setState({ ...EMPTY, open: true, step: "measure", sheet: known, made, shape, report, gap, busy });
+    useCalibration.setState({ ...EMPTY, ...kept, open: true, step: "measure" });
     void readAgain();
     return;
   }
@@ -120,7 +138,7 @@ export function closeCalibration(): void {
 }
 
 export function showStep(step: CalibrationStep): void {
-  useCalibration.setState({ step, problem: null });
+  useCalibration.setState({ step, problem: null, occupied: null });
 }
 
 async function read(sheet: string): Promise<void> {
@@ -153,18 +171,19 @@ async function fitAnew(): Promise<void> {
   }
 }
 
-/** Writes coupons as jobs and a sheet into a folder. */
-export function makeCoupons(request: {
-  readonly machine: string;
-  readonly material: string;
-  readonly angles_deg: readonly number[];
-  readonly repeats: number;
-  readonly folder: string;
-  readonly paper: string;
-}): Promise<boolean> {
+/** Writes coupons as jobs and a sheet into a folder. `force`: those that are there are replaced, with the readings of their sheet. */
+export function makeCoupons(request: CouponRequest, force: boolean): Promise<boolean> {
   return working(async () => {
-    const made = await platform.ask("calibrate-new", { ...request, angles_deg: [...request.angles_deg] });
-    useCalibration.setState({ made, applied: null, reverted: false });
+    useCalibration.setState({ occupied: null });
+    let made: CalibrateNewResponse;
+    try {
+      made = await platform.ask("calibrate-new", { ...request, angles_deg: [...request.angles_deg], force });
+    } catch (error) {
+      if (!(error instanceof Refused && error.refusal.code === "exists")) throw error;
+      useCalibration.setState({ occupied: request.folder });
+      return;
+    }
+    useCalibration.setState({ made, madeFor: request, applied: null, reverted: false });
     store(KEY, made.sheet);
     await read(made.sheet);
   });
@@ -178,7 +197,8 @@ export function openSheet(sheet: string, step: CalibrationStep): Promise<boolean
     store(KEY, sheet);
     // Whoever has gone elsewhere meanwhile stays there.
     const { step: now } = useCalibration.getState();
-    useCalibration.setState({ made: null, step: now === from ? step : now, applied: null, reverted: false });
+    const none = { made: null, madeFor: null, occupied: null, applied: null, reverted: false };
+    useCalibration.setState({ ...none, step: now === from ? step : now });
   });
 }
 

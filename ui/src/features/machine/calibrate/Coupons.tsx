@@ -6,11 +6,19 @@ import { Select, TextInput } from "../../../shared/controls/inputs";
 import { NumberField } from "../../../shared/controls/NumberField";
 import { count, time } from "../../../shared/figures/format";
 import { useLengths } from "../../../shared/figures/unit";
+import { Line } from "../../../shared/lists/Line";
 import { told } from "../../../state/asking/problems";
-import { closeCalibration, makeCoupons, openSheet, useCalibration } from "../../../state/calibration/calibration";
+import {
+  type CouponRequest,
+  closeCalibration,
+  makeCoupons,
+  openSheet,
+  useCalibration,
+} from "../../../state/calibration/calibration";
 import { useDesign } from "../../../state/design/design";
 import { baseName, runFile } from "../../../state/files/files";
 import { useMachines } from "../../../state/machine/machines";
+import { type SheetOf, useSheetName } from "./sheet_name";
 import { parseAngles } from "./words";
 
 const SHEETS = { name: "Sheets", extensions: ["csv"] } as const;
@@ -45,16 +53,36 @@ function Jobs({ jobs }: { readonly jobs: readonly string[] }) {
   );
 }
 
+/** Whether coupons are as they would be made. */
+const isSame = (made: CouponRequest, chosen: Omit<CouponRequest, "folder">): boolean =>
+  (["machine", "material", "repeats", "paper"] as const).every((key) => made[key] === chosen[key]) &&
+  String(made.angles_deg) === String(chosen.angles_deg);
+
+/** What coupons are for. `other`: that they are not for what is chosen, where that is so; Next goes on with their sheet all the same. */
+function Of({ sheet, other }: { readonly sheet: SheetOf; readonly other: string | null }) {
+  const what = useSheetName(sheet);
+  if (other === null) return <p className="muted small">For {what}.</p>;
+  return (
+    <ul>
+      <Line
+        tone="warning"
+        what={other}
+        sub={`These are for ${what}, and Next goes on with their sheet. Make coupons anew for what is chosen.`}
+      />
+    </ul>
+  );
+}
+
 /** What is bent to be measured: jobs, and a sheet for the readings. */
 export function Coupons() {
-  const { made, sheet, busy } = useCalibration();
+  const { made, madeFor, occupied, sheet, busy } = useCalibration();
   const { machines, materials } = useMachines();
   const state = useDesign((design) => design.state);
-  const [machine, setMachine] = useState(state?.machine ?? "");
-  const [material, setMaterial] = useState(state?.material ?? "");
-  const [angles, setAngles] = useState("");
-  const [repeats, setRepeats] = useState(2);
-  const [paper, setPaper] = useState("a4");
+  const [machine, setMachine] = useState(madeFor?.machine ?? state?.machine ?? "");
+  const [material, setMaterial] = useState(madeFor?.material ?? state?.material ?? "");
+  const [angles, setAngles] = useState(madeFor?.angles_deg.join(", ") ?? "");
+  const [repeats, setRepeats] = useState(madeFor?.repeats ?? 2);
+  const [paper, setPaper] = useState(madeFor?.paper ?? "a4");
   const { long } = useLengths();
   const ladder = parseAngles(angles);
   const why = busy
@@ -64,9 +92,16 @@ export function Coupons() {
       : ladder === null
         ? "Correct the angles."
         : null;
+  const chosen = { machine, material, angles_deg: ladder ?? [], repeats, paper };
+  const changed =
+    madeFor && ladder && isSame(madeFor, chosen) ? null : "The choices were changed since these coupons were made";
+  const another =
+    sheet?.machine === machine && sheet.material === material
+      ? null
+      : "Another machine or wire is chosen than that of the sheet";
   const make = async () => {
     const folder = await told(platform.pickSave("calibration", FOLDER));
-    if (folder && ladder) await makeCoupons({ machine, material, angles_deg: ladder, repeats, folder, paper });
+    if (folder) await makeCoupons({ ...chosen, folder }, false);
   };
   const open = async () => {
     const picked = await told(platform.pickFile([SHEETS]));
@@ -139,11 +174,28 @@ export function Coupons() {
             Open a sheet…
           </Button>
         </div>
+        <div role="alert">
+          {occupied !== null && (
+            <ul>
+              <Line
+                tone="error"
+                what={`There are coupons in ${baseName(occupied)} already`}
+                sub="Choose another folder, or replace them. The readings in their sheet go with them."
+                action={
+                  <Button kind="link" why={why} onClick={() => void makeCoupons({ ...chosen, folder: occupied }, true)}>
+                    Replace
+                  </Button>
+                }
+              />
+            </ul>
+          )}
+        </div>
       </div>
       <div className="stack calibrate-made" aria-live="polite">
         {made ? (
           <>
             <h3>Bend these</h3>
+            <Of sheet={made} other={changed} />
             <p>
               {count(made.coupons, "coupon")}, each {count(made.repeats, "time")}: {long(made.wire_mm)} of wire, about{" "}
               {time(made.seconds)} on the machine.
@@ -163,9 +215,7 @@ export function Coupons() {
           <>
             <h3>Open sheet</h3>
             <p className="selectable calibrate-file">{sheet.sheet}</p>
-            <p className="muted small">
-              {sheet.machine} with {sheet.material}
-            </p>
+            <Of sheet={sheet} other={another} />
             {sheet.jobs.length > 0 && <Jobs jobs={sheet.jobs} />}
           </>
         ) : (

@@ -1,33 +1,42 @@
 import { type KeyboardEvent, useEffect, useRef, useState } from "react";
-import type { CalibrationRow } from "../../../generated/responses";
+import type { CalibrationRow, CalibrationSheet } from "../../../generated/responses";
 import { platform } from "../../../platform";
 import { Button } from "../../../shared/controls/Button";
 import { sentence } from "../../../shared/figures/format";
 import { Scrolls } from "../../../shared/lists/Scrolls";
 import { told } from "../../../state/asking/problems";
 import { addPinTable, enterBent, enterReading, useCalibration } from "../../../state/calibration/calibration";
+import { useSheetName } from "./sheet_name";
 import { leftOut, parseReading, shownReading, WHAT, wanted } from "./words";
 
 const TABLES = { name: "Tables", extensions: ["csv", "txt"] } as const;
 
 /** The sheet as a table: a reading a cell, empty where there is none. */
 export function Measure() {
-  const { sheet, report, gap, busy } = useCalibration();
+  const sheet = useCalibration((calibration) => calibration.sheet);
+  return sheet && <Sheet sheet={sheet} />;
+}
+
+function Sheet({ sheet }: { readonly sheet: CalibrationSheet }) {
+  const { report, gap, busy } = useCalibration();
+  const of = useSheetName(sheet);
   const [more, setMore] = useState(0);
-  const columns = Math.max(1, ...(sheet?.rows ?? []).map(({ readings }) => readings.length)) + more;
+  const columns = Math.max(1, ...sheet.rows.map(({ readings }) => readings.length)) + more;
   const newest = useRef<HTMLTableCellElement>(null);
   // biome-ignore lint/correctness/useExhaustiveDependencies: another column is the newest
   useEffect(() => {
     // A narrow window has no room for all: what was measured last is what a person looks at.
     newest.current?.scrollIntoView({ block: "nearest", inline: "end" });
-  }, [columns, sheet === null]);
-  if (!sheet) return null;
+  }, [columns]);
   const pinTable = async () => {
     const picked = await told(platform.pickFile([TABLES]));
     if (picked) await addPinTable(picked);
   };
   return (
     <>
+      <p className="ellipsis" title={sheet.sheet}>
+        Readings of {of}
+      </p>
       <div className="row wrap">
         <p className="muted small grow">
           {Object.values(WHAT)
