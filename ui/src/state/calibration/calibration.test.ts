@@ -11,31 +11,41 @@ vi.mock("../design/design", async (original) => ({
 }));
 
 import { useDesign } from "../design/design";
+import { useFiles } from "../files/files";
 import { useMachines } from "../machine/machines";
 import { designState } from "../testing";
-import {
-  applyCalibration,
-  closeCalibration,
-  enterReading,
-  openCalibration,
-  openSheet,
-  revertCalibration,
-  useCalibration,
-} from "./calibration";
+import { applyCalibration, revertCalibration } from "./applying";
+import { chooseShape, closeCalibration, enterReading, openCalibration, openSheet, useCalibration } from "./calibration";
 
-const rows = [
-  { line: 5, coupon: "side-35", row: 1, what: "side", unit: "mm", wanted: 35, commanded: 33, readings: [38.1, null] },
+let second: number | null;
+const rows = () => [
+  {
+    line: 5,
+    coupon: "side-35",
+    row: 1,
+    what: "side",
+    unit: "mm",
+    wanted: 35,
+    commanded: 33,
+    readings: [38.1, second],
+  },
 ];
 let views: Record<string, boolean>;
 
 beforeEach(async () => {
   localStorage.clear();
   useCalibration.setState(useCalibration.getInitialState());
+  second = null;
   views = { machine: true, material: false };
   ask.mockReset();
-  edit.mockClear();
+  edit.mockReset().mockImplementation(async (request) => {
+    const { machine, material } = request as { machine: string; material: string };
+    useDesign.setState({ state: designState({ machine, material }) });
+    return {};
+  });
   ask.mockImplementation(async (name: string, request: { kind?: string }) => {
-    if (name === "calibrate-sheet") return { sheet: "/c/sheet.csv", machine: "kit", material: "wire", rows, jobs: [] };
+    if (name === "calibrate-sheet")
+      return { sheet: "/c/sheet.csv", machine: "kit", material: "wire", rows: rows(), jobs: [] };
     if (name === "calibrate-fit") return { kinds: [], left_out: [], gaps: [] };
     if (name === "apply-calibration") return { machine: "my-kit", material: "my-wire", files: [], notes: [] };
     if (name === "profile-view") return { has_last_change: views[request.kind ?? ""] };
@@ -104,15 +114,44 @@ it("gives the design its machine and wire of before, and a profile that was repl
   expect(edit).toHaveBeenLastCalledWith({ edit: "machine", machine: "kit", material: "steel" });
   // The wire was new: there is nothing of before.
   expect(asked("revert-profile")).toEqual([{ kind: "machine", id: "my-kit", keys: [] }]);
-  expect(useCalibration.getState().reverted).toBe(true);
+  expect(useCalibration.getState().reverted).toEqual({ design: true, profiles: true });
 });
 
 it("keeps no comparison of applied profiles by other readings", async () => {
   await applyCalibration("my-kit", "my-wire", false);
   expect(useCalibration.getState().applied?.compared).not.toBeNull();
   const [row] = useCalibration.getState().sheet?.rows ?? [];
+  // Entered as it was it is no other.
+  if (row) await enterReading(row, 0, 38.1);
+  expect(useCalibration.getState().applied?.compared).not.toBeNull();
+  second = 38;
   if (row) await enterReading(row, 1, 38);
   expect(useCalibration.getState().applied).toMatchObject({ result: { machine: "my-kit" }, compared: null });
+});
+
+it("keeps what was applied, to be taken back, while it is closed and opened, and another sheet is looked at", async () => {
+  await applyCalibration("my-kit", "my-wire", true);
+  closeCalibration();
+  openCalibration();
+  await openSheet("/c/other.csv", "measure");
+  await chooseShape("constant");
+  expect(useCalibration.getState()).toMatchObject({ applied: { result: { machine: "my-kit" } }, reverted: null });
+  await revertCalibration();
+  expect(edit).toHaveBeenLastCalledWith({ edit: "machine", machine: "kit", material: "steel" });
+});
+
+it("takes nothing back from another design, nor a change of a profile that came later", async () => {
+  await applyCalibration("my-kit", "my-wire", true);
+  useFiles.setState(({ opened }) => ({ opened: opened + 1 }));
+  await revertCalibration();
+  expect(edit).toHaveBeenCalledTimes(1);
+  expect(useCalibration.getState().reverted).toEqual({ design: false, profiles: true });
+  await applyCalibration("my-kit", "my-wire", true);
+  useMachines.setState(({ changes }) => ({ changes: changes + 1 }));
+  ask.mockClear();
+  await revertCalibration();
+  expect(asked("revert-profile")).toEqual([]);
+  expect(useCalibration.getState().reverted).toEqual({ design: true, profiles: false });
 });
 
 it("has the machine's values asked anew where only those of the wire cannot be as before", async () => {

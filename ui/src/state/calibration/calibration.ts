@@ -9,7 +9,6 @@ import type {
 } from "../../generated/responses";
 import { platform, Refused } from "../../platform";
 import { edit, useDesign } from "../design/design";
-import { profilesChanged } from "../machine/machines";
 import { store, stored } from "../window/ui";
 
 /** The steps, in the order of the work. */
@@ -36,7 +35,19 @@ interface Applied {
   readonly before: { readonly machine: string; readonly material: string };
   /** Whether profiles were replaced, which are as before once it is taken back. */
   readonly replaced: boolean;
+  /** How often profiles were changed by then: the last change of one that was replaced is this one only as long as that is so. */
+  readonly profiles: number;
+  /** How many designs were opened by then: only that one was given it. */
+  readonly opened: number;
+  /** The readings that it is of, as one text. */
+  readonly readings: string;
   readonly compared: CalibrateCompareResponse | null;
+}
+
+/** What of it was taken back. */
+interface Reverted {
+  readonly design: boolean;
+  readonly profiles: boolean;
 }
 
 interface CalibrationStore {
@@ -56,8 +67,8 @@ interface CalibrationStore {
   readonly applied: Applied | null;
   /** The machine of the design beside another version. */
   readonly versions: CalibrateCompareResponse | null;
-  /** Whether what was applied was taken back. */
-  readonly reverted: boolean;
+  /** What of it was taken back; null where nothing was. */
+  readonly reverted: Reverted | null;
   /** Why the last thing came to nothing. */
   readonly problem: string | null;
   readonly busy: boolean;
@@ -75,7 +86,7 @@ const EMPTY: CalibrationStore = {
   gap: null,
   applied: null,
   versions: null,
-  reverted: false,
+  reverted: null,
   problem: null,
   busy: false,
 };
@@ -89,7 +100,7 @@ const messageOf = (error: unknown): string => (error instanceof Error ? error.me
 
 /** Does one thing after another; what comes to nothing is said. Gives whether it was done. */
 let last: Promise<unknown> = Promise.resolve();
-function working(work: () => Promise<void>): Promise<boolean> {
+export function working(work: () => Promise<void>): Promise<boolean> {
   const done = last.then(async () => {
     useCalibration.setState({ busy: true, problem: null });
     try {
@@ -107,28 +118,32 @@ function working(work: () => Promise<void>): Promise<boolean> {
 }
 
 export function openCalibration(): void {
-  const { sheet: known, made, madeFor, shape, report, gap, busy } = useCalibration.getState();
+  const { sheet: known } = useCalibration.getState();
+  // What was applied can still be taken back, and what is being entered goes into the sheet that is there.
+  useCalibration.setState({
+    open: true,
+    step: known ? "measure" : "coupons",
+    versions: null,
+    occupied: null,
+    problem: null,
+  });
   if (known) {
-    const kept = { sheet: known, made, madeFor, shape, report, gap, busy };
-    // What is being entered goes into this sheet; it is read anew after that, since others may have written into it.
-    useCalibration.setState({ ...EMPTY, ...kept, open: true, step: "measure" });
     void readAgain();
     return;
   }
-  useCalibration.setState({ ...EMPTY, open: true });
   const sheet = stored(KEY);
   // A sheet that is not there any more is no problem of today.
   if (sheet) void openSheet(sheet, "measure").then((done) => !done && useCalibration.setState({ problem: null }));
 }
 
-/** The same sheet as it is now, after all that is being entered; none where it is gone. */
+/** The same sheet as it is now, after all that is being entered: others may have written into it. None where it is gone. */
 function readAgain(): Promise<boolean> {
   return working(async () => {
     const { sheet } = useCalibration.getState();
     try {
       if (sheet) await read(sheet.sheet);
     } catch {
-      useCalibration.setState(({ open }) => ({ ...EMPTY, open, busy: true }));
+      useCalibration.setState({ step: "coupons", sheet: null, made: null, madeFor: null, report: null, gap: null });
     }
   });
 }
@@ -141,13 +156,16 @@ export function showStep(step: CalibrationStep): void {
   useCalibration.setState({ step, problem: null, occupied: null });
 }
 
+/** The readings of the sheet, and how they are fitted, as one text. */
+export const readingsOf = ({ sheet, shape }: Pick<CalibrationStore, "sheet" | "shape">): string =>
+  JSON.stringify([sheet?.sheet, sheet?.rows.map(({ readings }) => readings), shape]);
+
 async function read(sheet: string): Promise<void> {
-  const { applied } = useCalibration.getState();
+  const table = await platform.ask("calibrate-sheet", { sheet });
   // Other readings hold other versions to be better.
-  useCalibration.setState({
-    sheet: await platform.ask("calibrate-sheet", { sheet }),
-    versions: null,
-    applied: applied && { ...applied, compared: null },
+  useCalibration.setState(({ applied, shape }) => {
+    const stays = applied?.readings === readingsOf({ sheet: table, shape });
+    return { sheet: table, versions: null, applied: applied && (stays ? applied : { ...applied, compared: null }) };
   });
   await fitAnew();
 }
@@ -183,7 +201,7 @@ export function makeCoupons(request: CouponRequest, force: boolean): Promise<boo
       useCalibration.setState({ occupied: request.folder });
       return;
     }
-    useCalibration.setState({ made, madeFor: request, applied: null, reverted: false });
+    useCalibration.setState({ made, madeFor: request });
     store(KEY, made.sheet);
     await read(made.sheet);
   });
@@ -197,8 +215,7 @@ export function openSheet(sheet: string, step: CalibrationStep): Promise<boolean
     store(KEY, sheet);
     // Whoever has gone elsewhere meanwhile stays there.
     const { step: now } = useCalibration.getState();
-    const none = { made: null, madeFor: null, occupied: null, applied: null, reverted: false };
-    useCalibration.setState({ ...none, step: now === from ? step : now });
+    useCalibration.setState({ made: null, madeFor: null, occupied: null, step: now === from ? step : now });
   });
 }
 
@@ -249,33 +266,6 @@ export function chooseShape(shape: SpringbackShape): Promise<boolean> {
   });
 }
 
-/** Writes profiles of what was found, and gives them to the design. `force`: profiles of these ids are replaced. */
-export function applyCalibration(machine_id: string, material_id: string, force: boolean): Promise<boolean> {
-  return working(async () => {
-    const { sheet, shape } = useCalibration.getState();
-    const { state } = useDesign.getState();
-    if (!sheet) return;
-    const before = {
-      machine: state?.machine ?? sheet.machine,
-      material: state?.material ?? sheet.material,
-    };
-    const result = await platform.ask("apply-calibration", {
-      sheet: sheet.sheet,
-      machine_id,
-      material_id,
-      force,
-      ...(shape === "better" ? {} : { shape }),
-    });
-    profilesChanged(null);
-    const applied = { result, before, replaced: force, compared: null };
-    useCalibration.setState({ applied, reverted: false, versions: null });
-    await edit({ edit: "machine", machine: result.machine, material: result.material });
-    const machines: [string, string] = [sheet.machine, result.machine];
-    const compared = await platform.ask("calibrate-compare", { machines, sheet: sheet.sheet });
-    useCalibration.setState({ applied: { result, before, replaced: force, compared } });
-  });
-}
-
 /** Holds a version against the machine of the design; by the readings of the open sheet too, where these tell something. */
 export function compareVersions(id: string): Promise<boolean> {
   return working(async () => {
@@ -293,30 +283,5 @@ export function takeVersion(machine: string, material: string): Promise<boolean>
   return working(async () => {
     await edit({ edit: "machine", machine, material });
     useCalibration.setState({ versions: null });
-  });
-}
-
-/** The design has its machine and its wire of before; profiles that were replaced are as before. */
-export function revertCalibration(): Promise<boolean> {
-  return working(async () => {
-    const { applied } = useCalibration.getState();
-    if (!applied) return;
-    const { result, before, replaced } = applied;
-    await edit({ edit: "machine", machine: before.machine, material: before.material });
-    try {
-      // The machine first: it names the wire. One of both may be new.
-      for (const [kind, id] of [
-        ["machine", result.machine],
-        ["material", result.material],
-      ] as const) {
-        if (!replaced) break;
-        const { has_last_change } = await platform.ask("profile-view", { kind, id });
-        if (has_last_change) await platform.ask("revert-profile", { kind, id, keys: [] });
-      }
-    } finally {
-      // The machine may be as before where the wire cannot be.
-      profilesChanged(null);
-    }
-    useCalibration.setState({ reverted: true, versions: null });
   });
 }

@@ -3,7 +3,13 @@ import { Button } from "../../../shared/controls/Button";
 import { Field } from "../../../shared/controls/Field";
 import { Checkbox, TextInput } from "../../../shared/controls/inputs";
 import { Line } from "../../../shared/lists/Line";
-import { applyCalibration, revertCalibration, useCalibration } from "../../../state/calibration/calibration";
+import {
+  applyCalibration,
+  revertCalibration,
+  useIsOfReadings,
+  useWhyNotBack,
+} from "../../../state/calibration/applying";
+import { useCalibration } from "../../../state/calibration/calibration";
 import { useMachines } from "../../../state/machine/machines";
 import { isSlug } from "../profile/slug";
 import { Compared } from "./Compared";
@@ -13,7 +19,8 @@ const ownId = (id: string): string => (id.startsWith("my-") ? `${id}-2` : `my-${
 
 /** Profiles of what was found, which the design takes; what changes by it, and the way back. */
 export function Apply() {
-  const { sheet, applied, reverted, busy } = useCalibration();
+  const { sheet, applied, busy } = useCalibration();
+  const whyNotBack = useWhyNotBack();
   const { machines, materials } = useMachines();
   const [machine, setMachine] = useState(ownId(sheet?.machine ?? "machine"));
   const [material, setMaterial] = useState(ownId(sheet?.material ?? "wire"));
@@ -55,33 +62,13 @@ export function Apply() {
           <Button kind="primary" why={why} onClick={() => void applyCalibration(machine, material, replaces)}>
             Apply
           </Button>
-          <Button
-            icon="undo"
-            why={applied && !reverted ? null : "Nothing is applied."}
-            onClick={() => void revertCalibration()}
-          >
+          <Button icon="undo" why={whyNotBack} onClick={() => void revertCalibration()}>
             Take back
           </Button>
         </div>
         {applied && (
           <ul aria-live="polite">
-            {reverted ? (
-              <Line
-                tone="info"
-                what={`The design was given ${applied.before.machine} again`}
-                sub={
-                  applied.replaced
-                    ? "The profiles that were replaced are as before."
-                    : "The new profiles stay in your list of machines and wires."
-                }
-              />
-            ) : (
-              <Line
-                tone="fine"
-                what={`The design was given ${applied.result.machine} with ${applied.result.material}`}
-                sub={applied.result.files.join(", ")}
-              />
-            )}
+            <Outcome />
           </ul>
         )}
       </div>
@@ -92,4 +79,30 @@ export function Apply() {
       )}
     </div>
   );
+}
+
+/** What became of the design and of profiles. */
+function Outcome() {
+  const { applied, reverted } = useCalibration();
+  const whyNotBack = useWhyNotBack();
+  const isOfReadings = useIsOfReadings();
+  if (!applied) return null;
+  const { result, before, replaced } = applied;
+  const given = `The design was given ${result.machine} with ${result.material}`;
+  if (reverted) {
+    const profiles = !replaced
+      ? "The new profiles stay in your list of machines and wires."
+      : reverted.profiles
+        ? "The profiles that were replaced are as before."
+        : "Profiles were changed since: those that were replaced stay as they are.";
+    return reverted.design ? (
+      <Line tone="info" what={`The design was given ${before.machine} again`} sub={profiles} />
+    ) : (
+      <Line tone="info" what={profiles} />
+    );
+  }
+  if (whyNotBack) return <Line tone="info" what={given} sub={whyNotBack} />;
+  if (!isOfReadings)
+    return <Line tone="warning" what={given} sub="The readings were changed since. Apply again to take them." />;
+  return <Line tone="fine" what={given} sub={result.files.join(", ")} />;
 }
