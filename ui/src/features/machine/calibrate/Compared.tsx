@@ -1,15 +1,9 @@
 import type { CalibrateCompareResponse } from "../../../generated/responses";
-import { short } from "../../../shared/figures/format";
 import { useUnit } from "../../../shared/figures/unit";
 import { Scrolls } from "../../../shared/lists/Scrolls";
 import { labelOf } from "../editor/fields";
+import { shownValue } from "../editor/words";
 import { KINDS, off } from "./words";
-
-const plain = (value: unknown): string => {
-  if (value === null || value === undefined) return "–";
-  if (typeof value === "number") return short(value);
-  return Array.isArray(value) ? `${value.length} pairs` : String(value);
-};
 
 /** Two versions of a machine and its wire side by side: how far off each is for the readings of a sheet, and what differs. */
 export function Compared({ compared }: { readonly compared: CalibrateCompareResponse }) {
@@ -49,8 +43,8 @@ export function Compared({ compared }: { readonly compared: CalibrateCompareResp
               <th scope="row" title={key}>
                 {labelOf(key)}
               </th>
-              <td>{plain(values[0])}</td>
-              <td>{plain(values[1])}</td>
+              <td>{shownValue(key, values[0], unit)}</td>
+              <td>{shownValue(key, values[1], unit)}</td>
             </tr>
           ))}
         </tbody>

@@ -224,8 +224,14 @@ const OTHERS: Readonly<Record<string, string>> = {
   "calibrated.readings": "Calibrated from readings",
   "calibrated.machine": "Calibrated from machine",
   "calibrated.material": "Calibrated from wire",
-  "springback.angle_deg": "Springback: degrees",
+  "springback.angle_deg": "Springback: angle",
 };
+
+/** The field of a value; none where no form has one for it alone. */
+export function specOf(key: string): FieldSpec | null {
+  const all = [...MACHINE_GROUPS, ...MATERIAL_GROUPS].flatMap(({ fields }) => fields);
+  return all.find((field) => field.key === key) ?? null;
+}
 
 /** What a value is called, with the group that it stands in; its key where nobody gave it a name. */
 export function labelOf(key: string): string {
