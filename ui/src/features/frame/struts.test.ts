@@ -52,4 +52,19 @@ describe("words of a frame", () => {
   it("says in the header how far it moves and how it vibrates", () => {
     expect(phraseOf(frameShown(), "mm")).toBe("moves 0.5 mm · 12.3 Hz");
   });
+
+  it.each([
+    ["frame_unsupported", 0, "floats · 12.3 Hz"],
+    ["frame_unsupported", 2, "partly floats · 12.3 Hz"],
+    ["frame_mechanism", 2, "does not stand · 12.3 Hz"],
+    ["strut_overstressed", 2, "yields · 12.3 Hz"],
+    ["edge_too_short", 2, "does not hold · 12.3 Hz"],
+  ] as const)("says in the header why a frame does not hold: %s with %s supports", (code, supports, phrase) => {
+    const { shapes, result } = frameShown();
+    const diagnostics = [{ code, severity: "error" as const, message: "", help: "" }];
+    const frame = { ...result.frame, supports };
+    expect(phraseOf({ shapes, result: { ...result, frame, static: null, holds: false, diagnostics } }, "mm")).toBe(
+      phrase,
+    );
+  });
 });

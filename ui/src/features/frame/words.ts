@@ -82,12 +82,35 @@ export function caseSays({ forces, moments, along_edges, gravity }: LoadCaseEntr
   return `${parts.length > 0 ? parts.join(", ") : "Nothing but gravity"}. ${weight}`;
 }
 
+/** Why a frame does not hold, in a word or two: the worst of what is found foremost. */
+function failureOf({ holds, diagnostics, frame }: FrameShown["result"]): string | null {
+  const worst = diagnostics.find(({ severity }) => severity === "error");
+  if (holds || !worst) return null;
+  switch (worst.code) {
+    case "frame_unsupported":
+      return frame.supports === 0 ? "floats" : "partly floats";
+    case "frame_mechanism":
+      return "does not stand";
+    case "frame_too_soft":
+      return "hardly stands";
+    case "strut_overstressed":
+      return "yields";
+    case "strut_near_buckling":
+      return "buckles";
+    case "edges_meet":
+      return "struts meet";
+    default:
+      return "does not hold";
+  }
+}
+
 /** What the header of the section says. */
 export function phraseOf({ result }: FrameShown, unit: DisplayUnit): string {
   const bends = result.modes.find(({ kind }) => kind !== "rigid");
   const parts = [
+    failureOf(result),
     result.static ? `moves ${displacement(result.static.max_displacement_mm, unit)}` : null,
     bends ? frequency(bends.frequency_hz) : null,
   ];
-  return parts.filter(Boolean).join(" · ") || (result.holds ? length(result.frame.length_mm, unit) : "does not stand");
+  return parts.filter(Boolean).join(" · ") || length(result.frame.length_mm, unit);
 }
