@@ -65,6 +65,22 @@ it("says what was in the way of a search, leads there, and makes what was tried 
   await editor.isClean("avoid-failed-vertex");
   await fix("Move vertex 1 by 1.0 mm").getByRole("button", { name: "Apply" }).click();
   await animate().getByText("No collision found.").waitFor();
+  // What it has found is not lost without a word.
+  const walks = async () => (await editor.design()).state.walks;
+  const found = JSON.stringify(await walks());
+  await editor
+    .section("edit")
+    .getByLabel(/^Reversed/)
+    .click();
+  const lost = editor.messages.filter({ hasText: "The chosen order of the bends is given up" });
+  await lost.waitFor();
+  // The panel is scrolled below.
+  await editor.page.mouse.move(400, 300);
+  expect(await walks()).toEqual([]);
+  await editor.page.keyboard.press("Control+z");
+  await animate().getByText("No collision found.").waitFor();
+  await lost.waitFor({ state: "detached" });
+  expect(JSON.stringify(await walks())).toBe(found);
   // Also what is between two things of a section stays under the pointer when the list above them comes back.
   const expected = animate().locator(".expected");
   const accuracy = expected.locator("..");
@@ -89,6 +105,36 @@ it("says what was in the way of a search, leads there, and makes what was tried 
   }
   await editor.page.keyboard.press("Control+z");
   await until(() => search().count()).toBe(1);
+});
+
+/** Opens an OBJ of these lines. */
+async function open(...lines: string[]): Promise<void> {
+  const bytes = [...Buffer.from(lines.join("\n"))];
+  await editor.loopback.ask("open", { design: { input: { bytes: { name: "drawn.obj", bytes } }, units: "mm" } });
+  await editor.reload("animate");
+}
+
+it("plays nothing of a design that no wire can follow, and says so", async () => {
+  await open("v 0 0 0", "v 100 0 0", "v 0 100 0", "v 0 0 100", "l 1 2", "l 1 3", "l 1 4");
+  const play = editor.page.getByLabel("Timeline").getByRole("button", { name: "Play" });
+  await until(() => play.getAttribute("title")).toBe("There is no program: see Check.");
+  expect(await play.getAttribute("aria-disabled")).toBe("true");
+});
+
+it("says that it was not searched where a bend comes first that no order avoids, and offers no search that says the same", async () => {
+  // The second corner is bent by 174°.
+  await open("v 0 0 0", "v 120 0 0", "v 10 12 0", "v 10 60 0", "v 70 60 0", "v 70 20 10", "l 1 2 3 4 5 6");
+  await search().click();
+  await animate().getByText("It was not searched: a bend that no order avoids comes first.").waitFor();
+  expect(await button("Search again").getAttribute("aria-disabled")).toBe("true");
+  await button("The bend at vertex 1").click();
+  await editor.isClean("avoid-unsearched");
+  // Other wires may have no such bend.
+  await animate()
+    .getByRole("button", { name: /^Search settings/ })
+    .click();
+  await set("Most wires", "2");
+  await until(() => button("Search again").getAttribute("aria-disabled")).toBeNull();
 });
 
 it("says how far it is, and ends with the best until then", async () => {

@@ -34,11 +34,25 @@ it("makes coupons as jobs and a sheet in a folder", async () => {
     .getByText(/sheet\.csv$/)
     .innerText();
   expect((await table()).jobs).toHaveLength(3);
+  await dialog().getByText("For WireBend-kit with Aluminium 6061-T6, 3 mm.").waitFor();
   await editor.isClean("calibrate-coupons");
+  // What is chosen afterwards is not what these are for.
+  await dialog().getByLabel("Repeats").fill("3");
+  await dialog().getByLabel("Repeats").press("Enter");
+  await dialog().getByText("The choices were changed since these coupons were made").waitFor();
+  await dialog().getByRole("button", { name: "Make coupons in a folder…" }).click();
+  await dialog().getByText("There are coupons in calibration already").waitFor();
+  await editor.isClean("calibrate-coupons-there");
+  await dialog().getByLabel("Repeats").fill("2");
+  await dialog().getByLabel("Repeats").press("Enter");
+  await dialog().getByRole("button", { name: "Replace", exact: true }).click();
+  await dialog().getByText("There are coupons in calibration already").waitFor({ state: "detached" });
+  await dialog().getByText("The choices were changed").waitFor({ state: "detached" });
 });
 
 it("takes readings into a table, names the one that is typed wrong, and moves nothing by that", async () => {
   await next().click();
+  await dialog().getByText("Readings of WireBend-kit with Aluminium 6061-T6, 3 mm").waitFor();
   const { rows } = await table();
   // A wire that springs back two degrees more than the profile says, read to half a degree.
   for (const { coupon, row, what, wanted } of rows) {
@@ -119,8 +133,17 @@ it("applies it to the design, shows what changes, and takes it back", async () =
   await dialog().waitFor({ state: "detached" });
 });
 
-it("opens the sheet again where one left it", async () => {
+it("opens the sheet again where one left it, with what was applied, which other readings are not", async () => {
   await editor.section("machine").getByRole("button", { name: "Calibrate…" }).click();
-  await cell("angle-60, row 1, reading 1").waitFor();
-  expect(await cell("angle-60, row 1, reading 1").inputValue()).toBe("58.1");
+  const first = cell("angle-60, row 1, reading 1");
+  await first.waitFor();
+  expect(await first.inputValue()).toBe("58.1");
+  await first.fill("57,9");
+  await first.press("Enter");
+  await dialog().getByText("4  Apply").click();
+  await dialog().getByText("The readings were changed since. Apply again to take them.").waitFor();
+  await editor.isClean("calibrate-changed-since");
+  await dialog().getByRole("button", { name: "Take back" }).click();
+  await dialog().getByText("The design was given wirebend-kit again").waitFor();
+  await dialog().getByText("The profiles that were replaced are as before.").waitFor();
 });

@@ -193,6 +193,14 @@ it("arms with a summary, starts, shows the steps, pauses and resumes", async () 
   const shown = editor.page.locator(".timeline-step");
   // Its wire is seen while it comes out, and not only when the first step is done.
   await shown.filter({ hasText: /^bending · step 1 \/ 5 · [1-9]/ }).waitFor();
+  // Its record is no interrupted one: the machine is at it.
+  const runs = () => run().locator(".fold", { hasText: /^Runs/ });
+  await runs().locator(".fold-head").click();
+  await runs()
+    .getByText(/^(being bent|paused): \d of 5 steps done/)
+    .waitFor();
+  expect(await runs().getByText("interrupted after").count()).toBe(0);
+  await runs().locator(".fold-head").click();
   // It may hold by itself before.
   await until(async () => {
     if ((await state()).phase === "making")
@@ -307,6 +315,15 @@ it("asks how much of a step is in the wire that was stopped in its feed, and fin
   await dialog().getByText("Measured", { exact: true }).click();
   await dialog().getByText("How to check").click();
   await editor.isClean("run-doubt");
+  // It counts while it is typed: nobody has to leave the field first.
+  await dialog().getByLabel("Fed, mm").fill("5.5");
+  await dialog()
+    .getByText(`The machine will do: feed ${(whole - 5.5).toFixed(1).replace(/^(\d)(\d{3})/, "$1\u202f$2")} mm`)
+    .waitFor();
+  const go = dialog().getByRole("button", { name: "Continue", exact: true });
+  expect(await go.getAttribute("aria-disabled")).toBeNull();
+  await dialog().getByLabel("Fed, mm").fill("5.5 of it");
+  expect(await go.getAttribute("title")).toBe("Type what you measure.");
   await dialog().getByText("As counted", { exact: true }).click();
   await dialog().getByText("may have lost steps as it stopped").waitFor();
   await dialog().getByRole("button", { name: "Continue", exact: true }).click();
