@@ -41,6 +41,15 @@ fn coupons_that_the_simulated_machine_has_bent_make_profiles_that_are_used() {
     let said =
         run(&["calibrate", "enter", "calibration/sheet.csv", "--bent", "others/angles.wbjob"]).ended(2).err;
     assert!(said.contains("wire 1 of others/angles.wbjob"), "{said}");
+    // A cube's wire turns by 90 degrees and back as the twist pair does, among other turns.
+    let cube = example("cube-8-edges.obj");
+    run(&["plan", &cube, "--units", "mm", "-m", "wirebend-kit", "--despite-errors", "-o", "cube.wbjob"])
+        .ended(0);
+    run(&["run", "cube.wbjob", "--port", "sim:max", "--yes", "--despite-errors"]).ended(0);
+    let before = sheet(folder.path());
+    let said = run(&["calibrate", "enter", "calibration/sheet.csv", "--bent", "cube.wbjob"]).ended(2).err;
+    assert!(said.contains("wire 1 of cube.wbjob"), "{said}");
+    assert_eq!(sheet(folder.path()), before);
     // 80 becomes 725 at the keyboard; here a bend of about 90 degrees.
     // Beside the reading that the simulated machine has made.
     let right =

@@ -175,24 +175,29 @@ fn coupon_of(sheet: &MeasuringSheet, commands: &[JobStep]) -> Option<String> {
     coupons.find(is_it).cloned()
 }
 
-/// Whether these are the rows of a wire with these commands.
+/// Whether these are the rows of a wire with these commands: of the whole wire, since a longer one can have the same among others.
 fn is_commanded(rows: &[&SheetRow], commands: &[JobStep]) -> bool {
     let near = |a: f64, b: f64| (a - b).abs() < SAME_COMMAND;
-    let mut steps = 0..commands.len();
-    let found = rows.iter().all(|row| {
-        steps.any(|k| match row.quantity {
-            SheetQuantity::Bend => near(commands[k].bend_deg, row.commanded),
-            SheetQuantity::Turn | SheetQuantity::TurnBack => near(commands[k].rotate_deg, row.commanded),
-            SheetQuantity::Side => row.axes_deg.is_some_and(|[before, after]| {
-                let is_before = k.checked_sub(1).is_some_and(|k| near(commands[k].bend_deg, before));
-                is_before && near(commands[k].feed_mm, row.commanded) && near(commands[k].bend_deg, after)
-            }),
-        })
-    });
-    // A table of pin angles has bends of a wire that nobody has.
-    let bends = commands.iter().filter(|step| step.bend_deg != 0.0).count();
-    let only_bends = rows.iter().all(|row| row.quantity == SheetQuantity::Bend);
-    found && (!only_bends || rows.len() == bends)
+    let bent = commands.iter().take_while(|step| step.bend_deg != 0.0).count();
+    let (bent, behind) = commands.split_at(bent);
+    if behind.iter().any(|step| step.bend_deg != 0.0) {
+        return false;
+    }
+    let flat = || bent.iter().skip(1).all(|step| near(step.rotate_deg, 0.0));
+    let alike = || bent.windows(2).all(|pair| near(pair[0].bend_deg, pair[1].bend_deg));
+    let fits = |(at, row): (usize, &&SheetRow)| match row.quantity {
+        SheetQuantity::Bend => bent.len() == rows.len() && flat() && near(bent[at].bend_deg, row.commanded),
+        SheetQuantity::Turn | SheetQuantity::TurnBack => {
+            bent.len() == rows.len() + 1 && alike() && near(bent[at + 1].rotate_deg, row.commanded)
+        }
+        SheetQuantity::Side => {
+            let axes = row.axes_deg.zip(bent.first_chunk::<2>()).is_some_and(|([before, after], steps)| {
+                near(steps[0].bend_deg, before) && near(steps[1].bend_deg, after)
+            });
+            bent.len() == 2 && flat() && axes && near(bent[1].feed_mm, row.commanded)
+        }
+    };
+    !rows.is_empty() && rows.iter().enumerate().all(fits)
 }
 
 /// What is read of a wire by its corners: the `at`-th bend, the middle side, or the `at`-th turn.
@@ -206,5 +211,59 @@ fn read_corner(quantity: SheetQuantity, at: usize, corners: &[[f64; 3]]) -> Opti
             let normal = |k: usize| Some(edge(k)?.cross(&edge(k + 1)?));
             Some(angle(normal(at)?, normal(at + 1)?))
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(quantity: SheetQuantity, commanded: f64) -> SheetRow {
+        SheetRow {
+            line: 0,
+            coupon: "coupon".to_owned(),
+            quantity,
+            wanted: commanded,
+            commanded,
+            axes_deg: (quantity == SheetQuantity::Side).then_some([110.4, 110.4]),
+            readings: Vec::new(),
+        }
+    }
+
+    fn is_it(rows: &[SheetRow], steps: &[[f64; 3]]) -> bool {
+        let step = |&[feed_mm, rotate_deg, bend_deg]: &[f64; 3]| JobStep {
+            feed_mm,
+            rotate_deg,
+            bend_deg,
+            ..JobStep::default()
+        };
+        let commands: Vec<JobStep> = steps.iter().map(step).collect();
+        is_commanded(&rows.iter().collect::<Vec<_>>(), &commands)
+    }
+
+    #[test]
+    fn a_wire_is_a_coupon_with_all_that_it_has() {
+        let end = [40.0, 0.0, 0.0];
+        let turns = [row(SheetQuantity::Turn, 90.0), row(SheetQuantity::TurnBack, -90.0)];
+        let twist = [[40.0, 0.0, 110.4], [40.0, 90.0, 110.4], [40.0, -90.0, 110.4], end];
+        assert!(is_it(&turns, &twist));
+        let longer = [&twist[..3], &[[40.0, 180.0, 110.4], end]].concat();
+        assert!(!is_it(&turns, &longer), "a wire of four bends");
+        let mut other = twist;
+        other[1][2] = 66.2;
+        assert!(!is_it(&turns, &other), "bends that differ");
+
+        let bends = [row(SheetQuantity::Bend, 66.2), row(SheetQuantity::Bend, -66.2)];
+        let z = [[40.0, 0.0, 66.2], [40.0, 0.0, -66.2], end];
+        assert!(is_it(&bends, &z) && !is_it(&bends[..1], &z) && !is_it(&turns, &z));
+        let mut turned = z;
+        turned[1][1] = 90.0;
+        assert!(!is_it(&bends, &turned), "its second bend is to another side");
+
+        let side = [row(SheetQuantity::Side, 22.0)];
+        let u = [[40.0, 0.0, 110.4], [22.0, 0.0, 110.4], end];
+        assert!(is_it(&side, &u));
+        assert!(!is_it(&side, &[&[[30.0, 0.0, 110.4]], &u[..]].concat()), "a bend before the U");
+        assert!(!is_it(&side, &[&u[..2], &[[30.0, 0.0, 110.4]]].concat()), "a bend behind it");
     }
 }
