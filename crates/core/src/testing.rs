@@ -42,7 +42,12 @@ pub(crate) fn published_machine() -> Machine {
             min_diameter: paper(mm(2.8)),
             max_diameter: paper(mm(3.2)),
             bend_torque: Some(BendTorque::beside(paper(37.9), mm(3.0), 362.14)),
-            bend_radius: Some(BendRadius { inner: mm(1.5), diameter: mm(3.0), least_diameters: paper(0.5) }),
+            bend_radius: Some(BendRadius {
+                inner: mm(1.5),
+                inner_within: Length::ZERO,
+                diameter: mm(3.0),
+                least_diameters: paper(0.5),
+            }),
             min_rotation_source: from("the paper"),
             max_rotation_source: from("the paper"),
             axis_source: from("the paper"),

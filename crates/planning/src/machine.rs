@@ -189,6 +189,8 @@ fn model(
     let (thin, thick) = (&machine.profile.wire.min_diameter_mm, &machine.profile.wire.max_diameter_mm);
     let diameter = mm(wire.diameter_mm)?;
     let pin = mm(figures.pin_radius_mm)?;
+    let pin_stated = machine.profile.bend.pin_radius_mm.as_ref();
+    let pin_within = mm(pin_stated.and_then(|pin| pin.within_95).unwrap_or_default())?;
     Ok(Machine {
         limits: MachineLimits {
             min_bend: angle("limits.min_bend_deg", &stated.min_bend_deg, limits.min_bend_deg)?,
@@ -207,7 +209,8 @@ fn model(
             }),
             bend_radius: material.profile.min_bend_radius_diameters.as_ref().map(|least| {
                 let source = source(material, "min_bend_radius_diameters", Some(least.source.as_str()));
-                BendRadius { inner: pin, diameter, least_diameters: Sourced { value: least.value, source } }
+                let least_diameters = Sourced { value: least.value, source };
+                BendRadius { inner: pin, inner_within: pin_within, diameter, least_diameters }
             }),
             min_rotation_source: stated_source("limits.min_rotation_deg", &stated.min_rotation_deg),
             max_rotation_source: stated_source("limits.max_rotation_deg", &stated.max_rotation_deg),

@@ -2602,9 +2602,13 @@ export interface ParameterReport {
    */
   determined: number;
   /**
-   * Whether the readings determine it better than it was known before. Otherwise it stays near what it was.
+   * Whether the readings determine it better than it was known before.
    */
   identified: boolean;
+  /**
+   * Whether it was left as it was, since they do not.
+   */
+  left: boolean;
   /**
    * What it is, for people.
    */

@@ -94,7 +94,12 @@ fn parameter(found: &ParameterReport) -> Vec<String> {
         format!("{:.digits$}{unit}", found.value),
         format!("± {:.digits$}{unit}", found.within_95),
         format!("was {:.digits$}{unit}", found.before),
-        if found.identified { "" } else { "not determined by these readings" }.to_owned(),
+        match (found.identified, found.left) {
+            (true, _) => "",
+            (false, true) => "left as it was: not determined",
+            (false, false) => "not determined by these readings",
+        }
+        .to_owned(),
     ]
 }
 
@@ -114,6 +119,18 @@ pub(super) fn apply(out: &mut impl Write, found: &CalibrateApplyResponse) -> std
             "note: {} left out; `wirebend calibrate fit` names them",
             count(left_out, "reading is", "readings are")
         )?;
+    }
+    let parameters = found.report.kinds.iter().flat_map(|kind| &kind.parameters);
+    let mut left: Vec<&str> =
+        parameters.filter(|found| found.left).map(|found| found.name.as_str()).collect();
+    // The radius of a bend is a parameter of bends and of sides.
+    let mut seen = std::collections::BTreeSet::new();
+    left.retain(|name| seen.insert(*name));
+    if !left.is_empty() {
+        writeln!(out, "note: left as it was, since the readings do not determine it: {}", left.join(", "))?;
+    }
+    for gap in &found.report.gaps {
+        writeln!(out, "note: {gap}")?;
     }
     writeln!(out, "machine '{}' with material '{}'", found.machine, found.material)?;
     written(out, found.files.iter())

@@ -73,10 +73,21 @@ fn coupons_that_the_simulated_machine_has_bent_make_profiles_that_are_used() {
     let applied = run(&[&apply[..], &["--date", "2026-11-25", "--json"]].concat()).ended(0).json();
     assert_fits("calibrate-apply", &applied);
     assert!(run(&apply).ended(2).err.contains("--force"));
+    let apply_again = [&apply[..], &["--date", "2026-11-25", "--force"]].concat();
     let explained = run(&["profile", "explain", "my-wire"]).ended(0);
     let explained = String::from_utf8(explained.out).unwrap();
     assert!(explained.contains("Calibrated 2026-11-25: n = 8,"), "{explained}");
-    run(&["check", &example("cube-8-edges.obj"), "--units", "mm", "--machine", "my-kit"]).ended(0);
+    // The bends do not tell the radius of the pin: it is the measured one of the parent, which this wire is known to take.
+    let said = run(&apply_again).ended(0).err;
+    assert!(said.contains("left as it was") && said.contains("centreline radius of a bend"), "{said}");
+    let explained = run(&["profile", "explain", "my-kit", "--json"]).ended(0).json();
+    let values = explained["values"].as_array().unwrap();
+    let pin = values.iter().find(|value| value["key"] == "bend.pin_radius_mm").unwrap();
+    assert_eq!(pin["value"], 1.5, "{pin}");
+    let checked =
+        run(&["check", &example("cube-8-edges.obj"), "--units", "mm", "--machine", "my-kit"]).ended(0);
+    let checked = String::from_utf8(checked.out).unwrap() + &checked.err;
+    assert!(!checked.contains("bend_radius_small"), "{checked}");
 
     let compare =
         ["calibrate", "compare", "wirebend-kit", "my-kit", "--sheet", "calibration/sheet.csv", "--json"];

@@ -4,7 +4,7 @@ use super::CalibrationError;
 use super::assumed::{Assumed, KnownLength, PegDimensions, bend_model};
 use super::estimate::{Fit, Misfit, Parameter};
 use super::figure::Figure;
-use super::fitting::Search;
+use super::fitting::{Search, hold};
 use super::least_squares::{Belief, Solution};
 use super::measured::{AngleSample, Gap, Kind, LeftOut};
 use super::screen::{Screened, bend, screen};
@@ -65,7 +65,7 @@ pub(super) struct KnownBends {
 pub(super) fn believed(assumed: &Assumed, beside: &[Angle]) -> Result<KnownBends, CalibrationError> {
     let model = assumed.bend_model()?;
     let told = told_beyond_zero(beside);
-    let side = Side { assumed, before: &model, told: &told };
+    let side = Side { assumed, before: &model, told: &told, held: &[] };
     let knots = Knots::default();
     let predict = side.predict(&knots);
     let mut search = side.search(&knots, &predict);
@@ -120,12 +120,12 @@ fn as_the_table_has_it(samples: &[AngleSample], expected: &[Angle]) -> Vec<Angle
     expected.iter().map(shifted).collect()
 }
 
-/// Fits bends. `beside`: positions of the axis for the bends beside the sides that are measured.
+/// Fits bends. `beside`: positions of the axis for the bends beside the sides that are measured. `held`: what stays as it was.
 pub(super) fn fit(
     assumed: &Assumed,
     samples: &[AngleSample],
     choice: ShapeChoice,
-    beside: &[Angle],
+    (beside, held): (&[Angle], &[Parameter]),
 ) -> Result<Outcome<BendFit>, CalibrationError> {
     let before = assumed.bend_model()?;
     let expected: Vec<Angle> =
@@ -153,7 +153,7 @@ pub(super) fn fit(
     let expected: Vec<f64> = screened.samples.iter().map(|&k| expected[k].deg()).collect();
     let commanded = |k: usize| Figure::Angle(told[k].axis);
     let no_solution = |_| CalibrationError::NoSolution { kind: Kind::Bends };
-    let side = Side { assumed, before: &before, told: &told };
+    let side = Side { assumed, before: &before, told: &told, held };
 
     let most = match choice {
         ShapeChoice::Fixed(SpringbackShape::Constant) => Knots::default(),
@@ -208,6 +208,8 @@ struct Side<'a> {
     assumed: &'a Assumed,
     before: &'a BendModel,
     told: &'a [Told],
+    /// What stays as it was.
+    held: &'a [Parameter],
 }
 
 impl Side<'_> {
@@ -247,6 +249,7 @@ impl Side<'_> {
             signed
                 .map(|formed| (Parameter::SpringbackAt(Angle::computed(formed.to_radians())), loss(formed))),
         );
+        let parameters = hold(parameters, self.held);
         Search { parameters, unstated: Vec::new(), predict, reading: self.assumed.angle_reading.deg() }
     }
 

@@ -52,6 +52,12 @@ impl Estimate {
     pub fn is_identified(&self) -> bool {
         self.determined >= 0.5
     }
+
+    /// Whether it was left exactly as it was, since the readings do not determine it.
+    #[must_use]
+    pub fn is_left(&self) -> bool {
+        !self.is_identified() && self.value == self.before
+    }
 }
 
 /// How far the readings of a kind are from what a model predicts, in mm or degrees.

@@ -5,7 +5,7 @@ use super::assumed::Assumed;
 use super::bends::{KnownBends, Outcome};
 use super::estimate::{Fit, Parameter};
 use super::figure::Figure;
-use super::fitting::Search;
+use super::fitting::{Search, hold};
 use super::least_squares::{BELIEVED, Belief};
 use super::measured::{Gap, Kind, LengthSample};
 use super::screen::{screen, side};
@@ -32,6 +32,7 @@ pub(super) fn fit(
     assumed: &Assumed,
     samples: &[LengthSample],
     known: &KnownBends,
+    held: &[Parameter],
 ) -> Result<Outcome<FeedFit>, CalibrationError> {
     let KnownBends { model: bends, radius, .. } = known;
     let side_of = |sample: &LengthSample, [scale, k, radius]: [f64; 3]| {
@@ -69,12 +70,13 @@ pub(super) fn fit(
         };
         used.iter().zip(&made).map(side).collect()
     };
+    let believed = vec![
+        (Parameter::FeedScale, Belief { value: assumed.motion.feed_scale, sd: SCALE_DEVIATION }),
+        (Parameter::KFactor, Belief { value: assumed.k_factor, sd: assumed.k_deviation.max(1e-3) }),
+        (Parameter::BendRadius, Belief { value: radius.value.mm(), sd: radius.deviation.mm().max(1e-3) }),
+    ];
     let search = Search {
-        parameters: vec![
-            (Parameter::FeedScale, Belief { value: assumed.motion.feed_scale, sd: SCALE_DEVIATION }),
-            (Parameter::KFactor, Belief { value: assumed.k_factor, sd: assumed.k_deviation.max(1e-3) }),
-            (Parameter::BendRadius, Belief { value: radius.value.mm(), sd: radius.deviation.mm().max(1e-3) }),
-        ],
+        parameters: hold(believed, held),
         // Where bends are other than they are taken to be, sides are too: the corners lie elsewhere.
         unstated: vec![Belief { value: 0.0, sd: known.deviation_deg.max(1e-3) }],
         predict: &predict,

@@ -22,6 +22,19 @@ pub(super) struct Search<'a> {
 /// The least scatter as a part of what a reading resolves: an even spread over one division has 0.29 of it.
 const LEAST_SCATTER: f64 = 0.29;
 
+/// What is held is believed so many times as closely as it is known.
+const HELD: f64 = 1e-4;
+
+/// Beliefs of which some are held at what they were.
+pub(super) fn hold(mut parameters: Vec<(Parameter, Belief)>, held: &[Parameter]) -> Vec<(Parameter, Belief)> {
+    for (parameter, belief) in &mut parameters {
+        if held.contains(parameter) {
+            belief.sd *= HELD;
+        }
+    }
+    parameters
+}
+
 impl Search<'_> {
     pub fn problem(&self, screened: &Screened) -> Problem<'_> {
         Problem {
@@ -103,7 +116,7 @@ pub(super) fn figure(kind: Kind, value: f64) -> Figure {
 
 impl Parameter {
     /// Its value from millimetres, degrees or a ratio.
-    fn figure(self, value: f64) -> Figure {
+    pub(super) fn figure(self, value: f64) -> Figure {
         match self {
             Self::Springback | Self::SpringbackAt(_) | Self::RotationOffset | Self::RotationBacklash => {
                 Figure::Angle(Angle::computed(value.to_radians()))

@@ -3,8 +3,8 @@
 //! [`Coupon`]s are bent, [`Measurements`] read of them, and [`calibrate`] finds the springback, the dimensions of the
 //! bend head, the wire in a bend, the scale of the feed and what turns are off by, with the same models that
 //! [`crate::compensate`] compensates with. What was known before counts as much as it is known: a parameter that no
-//! reading tells stays what it was, and the result says which those are. Readings that do not fit the others are named
-//! and left out.
+//! reading tells stays near what it was, and the result says which those are; [`settled`] leaves them as they were, for
+//! profiles. Readings that do not fit the others are named and left out.
 
 mod assumed;
 mod bends;
@@ -16,6 +16,7 @@ mod fitting;
 mod least_squares;
 mod measured;
 mod screen;
+mod settled;
 mod springback;
 mod statistics;
 mod turns;
@@ -34,6 +35,7 @@ pub use figure::{Figure, ReadingPlace};
 pub use measured::{
     AngleSample, Gap, Kind, LeftOut, LeftOutReason, LengthSample, Measurements, OtherUnit, TurnSample,
 };
+pub use settled::settled;
 pub use springback::{ShapeChoice, SpringbackShape};
 pub use turns::TurnFit;
 
@@ -81,9 +83,19 @@ pub fn calibrate(
     measured: &Measurements,
     choice: ShapeChoice,
 ) -> Result<Calibration, CalibrationError> {
+    calibrate_holding(assumed, measured, choice, &[])
+}
+
+/// The same with some parameters held at what they were.
+fn calibrate_holding(
+    assumed: &Assumed,
+    measured: &Measurements,
+    choice: ShapeChoice,
+    held: &[Parameter],
+) -> Result<Calibration, CalibrationError> {
     let beside: Vec<Angle> =
         measured.lengths.iter().flat_map(|sample| [sample.axis_before, sample.axis_after]).collect();
-    let bends = bends::fit(assumed, &measured.angles, choice, &beside)?;
+    let bends = bends::fit(assumed, &measured.angles, choice, (&beside, held))?;
     let known = match &bends.fit {
         Some(fit) => KnownBends {
             model: fit.model(assumed.axis_limit),
@@ -92,8 +104,8 @@ pub fn calibrate(
         },
         None => bends::believed(assumed, &beside)?,
     };
-    let feeds = feeds::fit(assumed, &measured.lengths, &known)?;
-    let turns = turns::fit(assumed, &measured.turns)?;
+    let feeds = feeds::fit(assumed, &measured.lengths, &known, held)?;
+    let turns = turns::fit(assumed, &measured.turns, held)?;
     if bends.fit.is_none() && feeds.fit.is_none() && turns.fit.is_none() {
         let given = |gap: &Gap| if let Gap::NoReadings { given, .. } = gap { *given } else { 0 };
         let all = [&bends.gaps, &feeds.gaps, &turns.gaps];

@@ -8,6 +8,7 @@ mod coverage;
 mod left_out;
 mod real;
 mod recovery;
+mod settled;
 mod typing;
 
 /// The published machine and wire, as far as dimensions can be off by: 15 %, and K by 0.1.

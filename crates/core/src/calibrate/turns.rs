@@ -5,7 +5,7 @@ use super::assumed::Assumed;
 use super::bends::Outcome;
 use super::estimate::{Fit, Parameter};
 use super::figure::Figure;
-use super::fitting::Search;
+use super::fitting::{Search, hold};
 use super::least_squares::Belief;
 use super::measured::{Gap, Kind, TurnSample};
 use super::screen::{screen, turn};
@@ -25,7 +25,11 @@ pub struct TurnFit {
     pub backlash_deg: f64,
 }
 
-pub(super) fn fit(assumed: &Assumed, samples: &[TurnSample]) -> Result<Outcome<TurnFit>, CalibrationError> {
+pub(super) fn fit(
+    assumed: &Assumed,
+    samples: &[TurnSample],
+    held: &[Parameter],
+) -> Result<Outcome<TurnFit>, CalibrationError> {
     let readings: Vec<_> = samples.iter().map(|sample| sample.readings.as_slice()).collect();
     let made = |sample: &TurnSample, offset: f64, backlash: f64| {
         let lost = if sample.reverses { sample.rotate.signum() * backlash } else { 0.0 };
@@ -49,11 +53,10 @@ pub(super) fn fit(assumed: &Assumed, samples: &[TurnSample]) -> Result<Outcome<T
         used.iter().map(|sample| made(sample, offset, backlash)).collect()
     };
     let belief = |value| Belief { value, sd: DEVIATION_DEG };
+    let believed =
+        vec![(Parameter::RotationOffset, belief(offset)), (Parameter::RotationBacklash, belief(backlash))];
     let search = Search {
-        parameters: vec![
-            (Parameter::RotationOffset, belief(offset)),
-            (Parameter::RotationBacklash, belief(backlash)),
-        ],
+        parameters: hold(believed, held),
         unstated: Vec::new(),
         predict: &predict,
         reading: assumed.angle_reading.deg(),

@@ -101,6 +101,8 @@ impl BendTorque {
 pub struct BendRadius {
     /// Of the inside of every bend: that of the pin.
     pub inner: Length,
+    /// Within how much of that it is known; zero where nothing is said of it.
+    pub inner_within: Length,
     /// Of the wire.
     pub diameter: Length,
     /// The smallest inner radius that the material takes, in diameters.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
-use wirebend_core::calibrate::{Estimate, Figure, Parameter};
+use wirebend_core::calibrate::{Estimate, Figure, Fit, Parameter};
 use wirebend_core::compensate::SpringbackPoint;
 use wirebend_driver_host::jobs::{Clock, SystemClock};
 use wirebend_profile::Kind;
@@ -105,7 +105,7 @@ impl Values<'_> {
             format!("Calibrated {}: n = {readings}, ±{within} (95 %)", self.date)
         } else {
             format!(
-                "Calibrated {}: n = {readings}, which do not determine it: kept near the value before, ±{within} (95 %)",
+                "Calibrated {}: n = {readings}, which determine it only together with others, ±{within} (95 %)",
                 self.date
             )
         };
@@ -136,7 +136,7 @@ impl Values<'_> {
         let found = &self.fitted.found;
         let mut values = Vec::new();
         if let Some(fit) = found.feeds.as_ref().map(|feeds| &feeds.fit)
-            && let Some(scale) = estimate(fit, Parameter::FeedScale)
+            && let Some(scale) = changed(fit, Parameter::FeedScale)
         {
             values.push(("feed.scale", self.figure(scale.value.plain(), scale, fit.readings)));
         }
@@ -147,7 +147,9 @@ impl Values<'_> {
             && backlash.value.plain() >= 0.0
         {
             for (key, found) in [("rotate.offset_deg", offset), ("rotate.backlash_deg", backlash)] {
-                values.push((key, self.figure(found.value.plain(), found, fit.readings)));
+                if !found.is_left() {
+                    values.push((key, self.figure(found.value.plain(), found, fit.readings)));
+                }
             }
         }
         values
@@ -166,7 +168,7 @@ impl Values<'_> {
             ("bend.rod_radius_mm", Parameter::PegRadius, peg.peg_radius.mm() - half),
         ];
         let figure = |(key, parameter, value)| {
-            let estimate = estimate(&bends.fit, parameter)?;
+            let estimate = changed(&bends.fit, parameter)?;
             Some((key, self.figure(value, estimate, bends.fit.readings)))
         };
         figures.into_iter().filter_map(figure).collect()
@@ -175,12 +177,12 @@ impl Values<'_> {
     fn of_material(&self) -> Vec<(&'static str, Value)> {
         let mut values = Vec::new();
         if let Some(feeds) = &self.fitted.found.feeds
-            && let Some(k) = estimate(&feeds.fit, Parameter::KFactor)
+            && let Some(k) = changed(&feeds.fit, Parameter::KFactor)
         {
             values.push(("k_factor", self.figure(feeds.k_factor, k, feeds.fit.readings)));
         }
         let Some(bends) = self.fitted.found.bends.as_ref() else { return values };
-        let springback = match (&bends.pairs, estimate(&bends.fit, Parameter::Springback)) {
+        let springback = match (&bends.pairs, changed(&bends.fit, Parameter::Springback)) {
             (Some([positive, negative]), _) => {
                 let (n, scatter) = (bends.fit.readings, bends.fit.scatter.plain());
                 json!({
@@ -200,6 +202,11 @@ impl Values<'_> {
         values.push(("springback", springback));
         values
     }
+}
+
+/// The estimate of a parameter, unless it was left as it was: then its profile has it, with where it comes from.
+fn changed(fit: &Fit, parameter: Parameter) -> Option<&Estimate> {
+    estimate(fit, parameter).filter(|estimate| !estimate.is_left())
 }
 
 /// Whether the readings show that a value is not what it was.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::calibrate::{Calibration, ShapeChoice, SpringbackShape, calibrate};
+use wirebend_core::calibrate::{Calibration, ShapeChoice, SpringbackShape, settled};
 use wirebend_files::read::{MeasuringSheet, read_file};
 
 use super::measured::OfSheet;
@@ -55,7 +55,7 @@ impl Installation {
             Some(ShapeName::Constant) => ShapeChoice::Fixed(SpringbackShape::Constant),
             Some(ShapeName::Curve) => ShapeChoice::Fixed(SpringbackShape::Cubic),
         };
-        let found = calibrate(&setup.assumed()?, &of_sheet.measured, choice)?;
+        let found = settled(&setup.assumed()?, &of_sheet.measured, choice)?;
         let report = CalibrationReport::new(setup.machine_id(), setup.material_id(), &found, &of_sheet);
         Ok(Fitted { setup, found, report })
     }

@@ -52,8 +52,10 @@ pub struct ParameterReport {
     pub value: f64,
     /// With 95 % it is within this of the value.
     pub within_95: f64,
-    /// Whether the readings determine it better than it was known before. Otherwise it stays near what it was.
+    /// Whether the readings determine it better than it was known before.
     pub identified: bool,
+    /// Whether it was left as it was, since they do not.
+    pub left: bool,
     /// How much of what is known of it comes from the readings, 0 to 1.
     pub determined: f64,
 }
@@ -189,6 +191,7 @@ fn parameter(estimate: &Estimate) -> ParameterReport {
         value: estimate.value.plain(),
         within_95: estimate.within_95.plain(),
         identified: estimate.is_identified(),
+        left: estimate.is_left(),
         determined: estimate.determined,
     }
 }

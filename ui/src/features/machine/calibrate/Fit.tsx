@@ -98,13 +98,16 @@ function Kind({ kind }: { readonly kind: KindReport }) {
 
 function Parameter({ parameter }: { readonly parameter: ParameterReport }) {
   const lengths = useUnit();
-  const { name, unit, value, within_95, before, identified } = parameter;
+  const { name, unit, value, within_95, before, identified, left } = parameter;
   return (
     <tr className={identified ? undefined : "unknown"}>
       <th scope="row">
         {name}
         {!identified && (
-          <span className="calibrate-unknown" title="It stays near the value of the profile">
+          <span
+            className="calibrate-unknown"
+            title={left ? "It is left as it was in the profile" : "These readings tell it only together with others"}
+          >
             not determined
           </span>
         )}
