@@ -291,6 +291,20 @@ fn of_poor_readings_it_is_said_what_is_missing_and_what_is_fitted() {
             "K-factor",
         ),
         (
+            "turn-90:1=90.5,90 turn-90:2=-89,-",
+            "",
+            &[
+                "offset and backlash of turns differ from those of the profile by less than they are known: both stay",
+            ],
+            "backlash of a turn",
+        ),
+        (
+            "turn-90:1=88,88.1 turn-90:2=-92,-92.1",
+            "",
+            &["a backlash below zero cannot be: both stay as the profile has them"],
+            "backlash of a turn",
+        ),
+        (
             "turn-90:1=91,91.2",
             "",
             &["no turn goes back: the offset of turns is fitted", "no bends were measured"],

@@ -11,7 +11,7 @@ use wirebend_driver_host::jobs::{Clock, SystemClock};
 use wirebend_profile::Kind;
 
 use super::fit::{Fitted, ShapeName};
-use super::report::{CalibrationReport, estimate};
+use super::report::{CalibrationReport, estimate, turns_stay};
 use crate::profiles::OwnProfile;
 use crate::profiles::set::sourced;
 use crate::{Installation, PlanningError, Progress};
@@ -130,8 +130,7 @@ impl Values<'_> {
         values
     }
 
-    /// The scale of the feed goes with the K-factor that was found with it. What was found of turns goes together, and only where the
-    /// readings show that one of it is not what it was; a backlash below zero is none.
+    /// The scale of the feed goes with the K-factor that was found with it. What was found of turns goes together.
     fn of_motion(&self) -> Vec<(&'static str, Value)> {
         let found = &self.fitted.found;
         let mut values = Vec::new();
@@ -141,10 +140,9 @@ impl Values<'_> {
             values.push(("feed.scale", self.figure(scale.value.plain(), scale, fit.readings)));
         }
         if let Some(fit) = found.turns.as_ref().map(|turns| &turns.fit)
+            && turns_stay(fit).is_none()
             && let Some(offset) = estimate(fit, Parameter::RotationOffset)
             && let Some(backlash) = estimate(fit, Parameter::RotationBacklash)
-            && (off(offset) || off(backlash))
-            && backlash.value.plain() >= 0.0
         {
             for (key, found) in [("rotate.offset_deg", offset), ("rotate.backlash_deg", backlash)] {
                 if !found.is_left() {
@@ -207,11 +205,6 @@ impl Values<'_> {
 /// The estimate of a parameter, unless it was left as it was: then its profile has it, with where it comes from.
 fn changed(fit: &Fit, parameter: Parameter) -> Option<&Estimate> {
     estimate(fit, parameter).filter(|estimate| !estimate.is_left())
-}
-
-/// Whether the readings show that a value is not what it was.
-fn off(estimate: &Estimate) -> bool {
-    (estimate.value.plain() - estimate.before.plain()).abs() > estimate.within_95.plain()
 }
 
 fn pairs(points: &[SpringbackPoint]) -> Value {

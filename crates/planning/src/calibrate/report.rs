@@ -142,6 +142,7 @@ impl CalibrationReport {
                 message: words::left_out(left),
             }
         });
+        let turns_stay = found.turns.as_ref().and_then(|turns| turns_stay(&turns.fit));
         Self {
             machine: machine.to_owned(),
             material: material.to_owned(),
@@ -149,7 +150,7 @@ impl CalibrationReport {
             shape: bends.map(|bends| shape(bends.shape)),
             other_shape: bends.and_then(|bends| bends.other).map(|(_, misfit)| misfit.into()),
             left_out: left_out.collect(),
-            gaps: found.gaps.iter().map(words::gap).collect(),
+            gaps: found.gaps.iter().map(words::gap).chain(turns_stay.map(words::turns_stay)).collect(),
         }
     }
 }
@@ -201,6 +202,22 @@ fn unit(figure: Figure) -> &'static str {
         Figure::Length(_) => "mm",
         Figure::Angle(_) => "deg",
         Figure::Ratio(_) => "",
+    }
+}
+
+/// Why what was found of turns is in no profile, if it is not: a difference that is within its own uncertainty would have the head make up
+/// for what may not be there.
+pub(super) fn turns_stay(fit: &Fit) -> Option<words::TurnsStay> {
+    let off = |parameter| {
+        let found = estimate(fit, parameter)?;
+        Some((found.value.plain() - found.before.plain()).abs() > found.within_95.plain())
+    };
+    let is_off = off(Parameter::RotationOffset)? || off(Parameter::RotationBacklash)?;
+    let backlash = estimate(fit, Parameter::RotationBacklash)?.value.plain();
+    match (is_off, backlash >= 0.0) {
+        (false, _) => Some(words::TurnsStay::WithinUncertainty),
+        (true, false) => Some(words::TurnsStay::NegativeBacklash),
+        (true, true) => None,
     }
 }
 

@@ -111,6 +111,28 @@ pub fn gap(gap: &Gap) -> String {
     }
 }
 
+/// Why what was found of turns is not in a profile.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TurnsStay {
+    /// What was there before is within 95 % of what was found.
+    WithinUncertainty,
+    /// The head would gain by turning back.
+    NegativeBacklash,
+}
+
+/// The same in words.
+#[must_use]
+pub fn turns_stay(why: TurnsStay) -> String {
+    let (why, instead) = match why {
+        TurnsStay::WithinUncertainty => (
+            "offset and backlash of turns differ from those of the profile by less than they are known",
+            "more readings of turns tell them better",
+        ),
+        TurnsStay::NegativeBacklash => ("a backlash below zero cannot be", "measure the turns again"),
+    };
+    format!("{why}: both stay as the profile has them, and programs do not make up for them; {instead}")
+}
+
 /// Why there is no calibration.
 #[must_use]
 pub fn refusal(error: &CalibrationError) -> String {

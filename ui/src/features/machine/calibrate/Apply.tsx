@@ -19,7 +19,7 @@ const ownId = (id: string): string => (id.startsWith("my-") ? `${id}-2` : `my-${
 
 /** Profiles of what was found, which the design takes; what changes by it, and the way back. */
 export function Apply() {
-  const { sheet, applied, busy } = useCalibration();
+  const { sheet, applied, reverted, busy } = useCalibration();
   const whyNotBack = useWhyNotBack();
   const { machines, materials } = useMachines();
   const [machine, setMachine] = useState(ownId(sheet?.machine ?? "machine"));
@@ -69,6 +69,8 @@ export function Apply() {
         {applied && (
           <ul aria-live="polite">
             <Outcome />
+            {!reverted && applied.result.report.doubts.map((text) => <Line key={text} tone="warning" what={text} />)}
+            {!reverted && applied.result.report.gaps.map((text) => <Line key={text} tone="info" what={text} />)}
           </ul>
         )}
       </div>
