@@ -105,6 +105,8 @@ pub enum InputName {
     ProfileValues,
     /// The keys of a profile.
     ProfileKeys,
+    /// The day of a measurement.
+    Date,
 }
 
 impl InputName {
@@ -161,6 +163,7 @@ impl InputName {
             Self::Readings => "readings",
             Self::ProfileValues => "values",
             Self::ProfileKeys => "keys",
+            Self::Date => "date",
         }
     }
 }

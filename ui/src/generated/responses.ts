@@ -605,7 +605,8 @@ export type InputName =
   | "simulated-as"
   | "readings"
   | "profile-values"
-  | "profile-keys";
+  | "profile-keys"
+  | "date";
 /**
  * What a question is about.
  */

@@ -55,6 +55,7 @@ const INPUTS: Readonly<Record<InputName, string>> = {
   readings: "the readings",
   "profile-values": "the values",
   "profile-keys": "the keys",
+  date: "the date",
 };
 
 /** "Choose one of a, b and c." */

@@ -94,7 +94,7 @@ pub(crate) enum CalibrateCommand {
         /// What the springback depends on; what predicts best if absent
         #[arg(long, value_name = "SHAPE")]
         shape: Option<ShapeArg>,
-        /// Day of the measurement; today if absent
+        /// Day of the measurement, such as 2026-11-25; today if absent
         #[arg(long, value_name = "DATE")]
         date: Option<String>,
         /// Folder with profiles; your own if absent

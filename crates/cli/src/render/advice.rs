@@ -272,6 +272,7 @@ const fn option(input: InputName) -> &'static str {
         InputName::SimulatedAs => "--simulated-machine and --simulated-material",
         InputName::Readings => "the readings, such as angle-40:1=38.5,39",
         InputName::ProfileValues => "the values, such as bend.orbit_offset_mm=11.6",
+        InputName::Date => "--date",
         InputName::ProfileKeys => "the keys, such as bend.orbit_offset_mm",
     }
 }

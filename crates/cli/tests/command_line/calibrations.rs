@@ -73,6 +73,10 @@ fn coupons_that_the_simulated_machine_has_bent_make_profiles_that_are_used() {
     let applied = run(&[&apply[..], &["--date", "2026-11-25", "--json"]].concat()).ended(0).json();
     assert_fits("calibrate-apply", &applied);
     assert!(run(&apply).ended(2).err.contains("--force"));
+    for day in ["2026-13-45", "01.02.2026", "yesterday", ""] {
+        let said = run(&[&apply[..], &["--force", "--date", day]].concat()).ended(2).err;
+        assert!(said.contains("--date") && said.contains("2026-11-25"), "{day}: {said}");
+    }
     let apply_again = [&apply[..], &["--date", "2026-11-25", "--force"]].concat();
     let explained = run(&["profile", "explain", "my-wire"]).ended(0);
     let explained = String::from_utf8(explained.out).unwrap();

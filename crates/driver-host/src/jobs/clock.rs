@@ -3,6 +3,7 @@
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use jiff::Timestamp;
+use jiff::civil::Date;
 
 /// What time it is, for measuring and for people.
 pub trait Clock {
@@ -56,9 +57,37 @@ pub fn stamped(stamp: &str) -> Option<SystemTime> {
     (at >= Timestamp::UNIX_EPOCH).then(|| at.into())
 }
 
+/// Whether a text is a day of the calendar, such as `2026-05-01`, and nothing else.
+#[must_use]
+pub fn is_day(text: &str) -> bool {
+    // The reader takes a time behind a day, too.
+    text.parse::<Date>().is_ok_and(|day| day.to_string() == text)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_day_is_one_of_the_calendar() {
+        for day in ["2026-11-25", "2024-02-29", "2000-01-01"] {
+            assert!(is_day(day), "{day}");
+        }
+        for none in [
+            "2026-13-45",
+            "2026-02-29",
+            "01.02.2026",
+            "yesterday",
+            "",
+            "2026-11-25T10:00:00Z",
+            "20261125",
+            "2026-11-25 ",
+            "26-11-25",
+            "2026-W48-3",
+        ] {
+            assert!(!is_day(none), "{none}");
+        }
+    }
 
     /// Seconds by `date -u -d … +%s`.
     #[test]

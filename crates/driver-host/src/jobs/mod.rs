@@ -23,7 +23,7 @@ mod run;
 mod time_estimator;
 mod wire_job;
 
-pub use clock::{Clock, SystemClock, stamp_to_ms, stamped};
+pub use clock::{Clock, SystemClock, is_day, stamp_to_ms, stamped};
 pub use entry::{Entry, EntryKind, Heading, Piece, ToldBy};
 pub use error::JobError;
 pub use journal::{Journal, JournalError, Written};

@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use wirebend_core::calibrate::{Estimate, Figure, Fit, Parameter};
 use wirebend_core::compensate::SpringbackPoint;
-use wirebend_driver_host::jobs::{Clock, SystemClock};
+use wirebend_driver_host::jobs::{Clock, SystemClock, is_day};
+use wirebend_error::InputName;
 use wirebend_profile::Kind;
 
 use super::fit::{Fitted, ShapeName};
@@ -52,6 +53,14 @@ pub fn apply(
     request: &CalibrateApplyRequest,
     progress: &dyn Progress,
 ) -> Result<CalibrateApplyResponse, PlanningError> {
+    if let Some(date) = request.date.as_ref().filter(|date| !is_day(date)) {
+        return Err(PlanningError::Value {
+            input: Some(InputName::Date),
+            name: "the day of the measurement",
+            value: format!("'{date}'"),
+            expected: "a day of the calendar, such as 2026-11-25",
+        });
+    }
     let fitted = app.fitted(&request.sheet, request.shape, None, progress)?;
     progress.stage("writing profiles");
     let place = (request.folder.as_path(), request.force);
