@@ -2546,6 +2546,10 @@ export interface CalibrateApplyResponse {
  */
 export interface CalibrationReport {
   /**
+   * What was found and cannot be, so that readings are wrong.
+   */
+  doubts: string[];
+  /**
    * What the measurements do not tell, and what is done for want of it.
    */
   gaps: string[];

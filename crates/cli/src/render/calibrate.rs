@@ -45,10 +45,16 @@ pub(super) fn fit(out: &mut impl Write, found: &CalibrationReport) -> std::io::R
         let place = format!("line {line}, reading {reading} ({})", left.coupon);
         writeln!(out, "{style}left out{style:#}: {place}: {}", left.message)?;
     }
+    doubts(out, found)?;
     for gap in &found.gaps {
         writeln!(out, "note: {gap}")?;
     }
     found.kinds.iter().try_for_each(|kind| one_kind(out, kind, found))
+}
+
+fn doubts(out: &mut impl Write, found: &CalibrationReport) -> std::io::Result<()> {
+    let style = severity_style(SeverityName::Warning);
+    found.doubts.iter().try_for_each(|doubt| writeln!(out, "{style}warning{style:#}: {doubt}"))
 }
 
 fn one_kind(out: &mut impl Write, kind: &KindReport, found: &CalibrationReport) -> std::io::Result<()> {
@@ -129,6 +135,7 @@ pub(super) fn apply(out: &mut impl Write, found: &CalibrateApplyResponse) -> std
     if !left.is_empty() {
         writeln!(out, "note: left as it was, since the readings do not determine it: {}", left.join(", "))?;
     }
+    doubts(out, &found.report)?;
     for gap in &found.report.gaps {
         writeln!(out, "note: {gap}")?;
     }

@@ -336,6 +336,41 @@ fn of_poor_readings_it_is_said_what_is_missing_and_what_is_fitted() {
     }
 }
 
+/// Wrong readings that fit each other well: they are named, and so is their sheet where a profile cannot hold what they tell.
+#[test]
+fn what_cannot_be_is_doubted_with_the_lines_of_its_readings() {
+    for (readings, warns, refused) in [
+        // Both sides are less by a wire, as from middle to middle, or by two: read inside.
+        ("side-35:1=35.2,35.3 side-140:1=140.2,140.3", "the K-factor is found to be 0.", false),
+        ("side-35:1=32,32.1 side-140:1=137,137.1", "the K-factor is found to be 1.", true),
+        ("turn-90:1=0,0 turn-90:2=0,0", "the offset of a turn is found to be -", true),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+        let new = ["calibrate", "new", "--machine", "wirebend-kit", "--angles", "60,90", "-o", "coupons"];
+        run(&new).ended(0);
+        for reading in readings.split_whitespace() {
+            run(&["calibrate", "enter", "coupons/sheet.csv", reading]).ended(0);
+        }
+        let lines = if readings.starts_with("side") { "lines 10 and 11" } else { "lines 12 and 13" };
+        let ran = run(&["calibrate", "fit", "coupons/sheet.csv"]).ended(0);
+        let said = ran.err.clone() + &String::from_utf8(ran.out).unwrap();
+        assert!(
+            said.contains("warning") && said.contains(warns) && said.contains(lines),
+            "{readings}: {said}"
+        );
+        let apply = ["calibrate", "apply", "coupons/sheet.csv", "--machine-id", "tt", "--material-id", "ww"];
+        let ran = run(&apply);
+        assert_eq!(ran.status, if refused { 3 } else { 0 }, "{readings}: {}", ran.err);
+        assert!(ran.err.contains(warns) && ran.err.contains(lines), "{readings}: {}", ran.err);
+        assert!(
+            !refused || ran.err.contains("coupons/sheet.csv: ") && !ran.err.contains("tt.json"),
+            "{}",
+            ran.err
+        );
+    }
+}
+
 #[test]
 fn a_value_of_an_own_profile_is_set_with_its_source() {
     let folder = tempfile::tempdir().unwrap();

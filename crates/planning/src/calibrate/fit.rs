@@ -57,7 +57,9 @@ impl Installation {
         };
         let found = settled(&setup.assumed()?, &of_sheet.measured, choice)?;
         let report = CalibrationReport::new(setup.machine_id(), setup.material_id(), &found, &of_sheet);
-        Ok(Fitted { setup, found, report })
+        let mut fitted = Fitted { setup, found, report };
+        fitted.report.doubts = fitted.doubts(self)?;
+        Ok(fitted)
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod apply;
 mod assumed;
+mod beyond;
 mod compare;
 mod coupons;
 mod enter;
@@ -9,6 +10,7 @@ mod fit;
 mod measured;
 mod report;
 mod sheet;
+mod values;
 
 pub use apply::{CalibrateApplyRequest, CalibrateApplyResponse, apply};
 pub use compare::{CalibrateCompareRequest, CalibrateCompareResponse, ComparedValue, VersionMisfit, compare};

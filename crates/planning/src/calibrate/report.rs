@@ -116,6 +116,8 @@ pub struct CalibrationReport {
     /// The error by leave-one-out of the other shape, degrees, where it can be fitted.
     pub other_shape: Option<MisfitReport>,
     pub left_out: Vec<LeftOutReport>,
+    /// What was found and cannot be, so that readings are wrong.
+    pub doubts: Vec<String>,
     /// What the measurements do not tell, and what is done for want of it.
     pub gaps: Vec<String>,
 }
@@ -150,6 +152,7 @@ impl CalibrationReport {
             shape: bends.map(|bends| shape(bends.shape)),
             other_shape: bends.and_then(|bends| bends.other).map(|(_, misfit)| misfit.into()),
             left_out: left_out.collect(),
+            doubts: Vec::new(),
             gaps: found.gaps.iter().map(words::gap).chain(turns_stay.map(words::turns_stay)).collect(),
         }
     }

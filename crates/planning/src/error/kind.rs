@@ -78,6 +78,7 @@ impl PlanningError {
             | Self::Closing { .. }
             | Self::Springback { .. }
             | Self::Calibration(_)
+            | Self::Beyond { .. }
             | Self::Noise { .. }
             | Self::OnlyStencil { .. }
             | Self::NoSurface { .. }
@@ -118,7 +119,7 @@ impl PlanningError {
             Self::Stopped => ErrorCode::Stopped,
             Self::Springback { .. } => ErrorCode::SpringbackTable,
             Self::Noise { .. } => ErrorCode::NoiseProfile,
-            Self::Calibration(_) => ErrorCode::Calibration,
+            Self::Calibration(_) | Self::Beyond { .. } => ErrorCode::Calibration,
             Self::ShippedProfile { .. } => ErrorCode::ShippedProfile,
             Self::NothingToRevert { .. } => ErrorCode::NothingToRevert,
             Self::Value { .. } => ErrorCode::Value,

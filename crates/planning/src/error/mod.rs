@@ -129,6 +129,9 @@ pub enum PlanningError {
     /// Measurements that no machine can be fitted to.
     #[error("{}", text::calibration::refusal(.0))]
     Calibration(#[from] CalibrationError),
+    /// What readings tell is nothing that a profile holds.
+    #[error("{sheet}: {reason}")]
+    Beyond { sheet: String, reason: String },
     /// A profile that comes with the program is to be changed.
     #[error("'{id}' comes with the program and stays as it is")]
     ShippedProfile { id: String },

@@ -28,6 +28,7 @@ impl PlanningError {
             | Self::Calibration(CalibrationError::Geometry(_))
             | Self::Closing { error: ClosingError::Errors(_), .. } => vec![R::CorrectProfile],
             Self::Calibration(_)
+            | Self::Beyond { .. }
             | Self::Closing { error: ClosingError::SeveralParts { .. }, .. }
             | Self::StrutWithoutLength { .. }
             | Self::Faces { .. }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Map, Value};
 use wirebend_error::InputName;
 use wirebend_files::read::read_file;
-use wirebend_profile::{Child, Kind, written};
+use wirebend_profile::{Child, Kind, ProfileError, written};
 
 use super::history::LastChange;
 use super::new::{check_id, make_folder, schema_beside};
@@ -38,6 +38,21 @@ impl OwnProfile {
         let child = Child { kind, id, inherits, name: id, schema: beside.as_deref(), all: false };
         let text = app.library.child_text(&child)?;
         Ok(Self { kind, file, values: serde_json::from_str(&text)?, force })
+    }
+
+    /// One that is never written: to see whether its values could be.
+    pub fn draft(app: &Installation, kind: Kind, inherits: &str) -> Result<Self, PlanningError> {
+        let id = "draft";
+        let child = Child { kind, id, inherits, name: id, schema: None, all: false };
+        let values = serde_json::from_str(&app.library.child_text(&child)?)?;
+        let file = Path::new(kind.folder()).join(format!("{id}.json"));
+        Ok(Self { kind, file, values, force: false })
+    }
+
+    /// The rules that its values break.
+    pub fn faults(&self, app: &Installation) -> Result<Vec<ProfileError>, PlanningError> {
+        let file = self.file.display().to_string();
+        Ok(app.library.check(&file, &self.text()?).err().unwrap_or_default())
     }
 
     /// One with the values of another file, that takes its place in a folder of profiles.

@@ -133,6 +133,35 @@ pub fn turns_stay(why: TurnsStay) -> String {
     format!("{why}: both stay as the profile has them, and programs do not make up for them; {instead}")
 }
 
+/// "line 5", "lines 5 and 6", "lines 5 to 18".
+fn sheet_lines(lines: &[usize]) -> String {
+    match lines {
+        [] => "its lines".to_owned(),
+        [line] => format!("line {line}"),
+        [first, second] => format!("lines {first} and {second}"),
+        [first, .., last] => format!("lines {first} to {last}"),
+    }
+}
+
+/// What was found that no profile holds.
+#[must_use]
+pub fn beyond(name: &str, found: &str, expected: &str, lines: &[usize]) -> String {
+    let lines = sheet_lines(lines);
+    format!(
+        "{name} is found to be {found}, and a profile holds {expected}: readings in {lines} of the sheet are wrong"
+    )
+}
+
+/// A K-factor that bent wire does not have.
+#[must_use]
+pub fn neutral_fibre(k_factor: f64, lines: &[usize]) -> String {
+    let lines = sheet_lines(lines);
+    format!(
+        "the K-factor is found to be {k_factor:.4}, and the neutral fibre of a bent wire lies between its inner face, 0, and its middle, 0.5: \
+         were the sides in {lines} of the sheet read over the outside?"
+    )
+}
+
 /// Why there is no calibration.
 #[must_use]
 pub fn refusal(error: &CalibrationError) -> String {

@@ -46,7 +46,7 @@ beforeEach(async () => {
   ask.mockImplementation(async (name: string, request: { kind?: string }) => {
     if (name === "calibrate-sheet")
       return { sheet: "/c/sheet.csv", machine: "kit", material: "wire", rows: rows(), jobs: [] };
-    if (name === "calibrate-fit") return { kinds: [], left_out: [], gaps: [] };
+    if (name === "calibrate-fit") return { kinds: [], left_out: [], doubts: [], gaps: [] };
     if (name === "apply-calibration") return { machine: "my-kit", material: "my-wire", files: [], notes: [] };
     if (name === "profile-view") return { has_last_change: views[request.kind ?? ""] };
     return { machines: [], materials: [], values: [], misfits: [] };

@@ -33,7 +33,16 @@ beforeEach(() => {
       return {};
     }
     if (name === "calibrate-fit")
-      return { machine: "", material: "", kinds: [], shape: null, other_shape: null, left_out: leftOut, gaps: [] };
+      return {
+        machine: "",
+        material: "",
+        kinds: [],
+        shape: null,
+        other_shape: null,
+        left_out: leftOut,
+        doubts: [],
+        gaps: [],
+      };
     return { machines: [], materials: [] };
   });
   localStorage.clear();

@@ -41,7 +41,7 @@ export function Fit() {
       {report.kinds.map((kind) => (
         <Kind key={kind.kind} kind={kind} />
       ))}
-      {(report.left_out.length > 0 || report.gaps.length > 0) && (
+      {(report.left_out.length > 0 || report.doubts.length > 0 || report.gaps.length > 0) && (
         <section aria-label="What is not used or not known">
           <ul>
             {report.left_out.map(({ line, reading, coupon, message }) => (
@@ -51,6 +51,9 @@ export function Fit() {
                 what={`Left out: ${coupon}, reading ${reading}`}
                 sub={`${message}. Measure it again.`}
               />
+            ))}
+            {report.doubts.map((text) => (
+              <Line key={text} tone="warning" what={text} />
             ))}
             {report.gaps.map((text) => (
               <Line key={text} tone="info" what={text} />
