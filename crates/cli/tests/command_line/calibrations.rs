@@ -343,7 +343,7 @@ fn what_cannot_be_is_doubted_with_the_lines_of_its_readings() {
         // Both sides are less by a wire, as from middle to middle, or by two: read inside.
         ("side-35:1=35.2,35.3 side-140:1=140.2,140.3", "the K-factor is found to be 0.", false),
         ("side-35:1=32,32.1 side-140:1=137,137.1", "the K-factor is found to be 1.", true),
-        ("turn-90:1=0,0 turn-90:2=0,0", "the offset of a turn is found to be -", true),
+        ("turn-90:1=0,0,0,0,0 turn-90:2=0,0,0,0,0", "the offset of a turn is found to be -", true),
     ] {
         let folder = tempfile::tempdir().unwrap();
         let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
@@ -368,6 +368,53 @@ fn what_cannot_be_is_doubted_with_the_lines_of_its_readings() {
             "{}",
             ran.err
         );
+    }
+}
+
+/// What a driver rounds must not be fitted as if the machine had done it: the sheet has what the machine is sent.
+#[test]
+fn a_machine_of_whole_degrees_is_sent_what_the_sheet_has() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    run(&["calibrate", "new", "--machine", "howtomechatronics", "-o", "calibration"]).ended(0);
+    let mut commanded = std::collections::BTreeMap::<String, Vec<String>>::new();
+    for line in sheet(folder.path()).lines().filter(|line| !line.starts_with(['#', 'c'])) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let letter = match cells[1] {
+            "bend" => "b",
+            "side" => "f",
+            _ => "z",
+        };
+        let job = cells[0].split('-').next().unwrap().to_owned();
+        let all = commanded.entry(job).or_default();
+        all.push(format!("{letter}{}", cells[3]));
+        if cells[1] == "side" {
+            all.extend([4, 5].map(|k: usize| format!("b{}", cells[k])));
+        }
+    }
+    for (kind, job) in [("angle", "angles"), ("side", "sides"), ("turn", "turns")] {
+        let job = format!("calibration/{job}.wbjob");
+        let out = format!("{kind}.txt");
+        run(&["export", &job, "-f", "howtomechatronics-serial", "-o", &out]).ended(0);
+        let sent: String = std::fs::read_dir(folder.path())
+            .unwrap()
+            .map(|entry| entry.unwrap().path())
+            .filter(|path| path.extension().is_some_and(|end| end == "txt"))
+            .filter(|path| path.file_name().unwrap().to_string_lossy().starts_with(kind))
+            .map(|path| std::fs::read_to_string(path).unwrap())
+            .collect();
+        let sent: Vec<&str> = sent.lines().collect();
+        for one in &commanded[kind] {
+            assert!(sent.contains(&one.as_str()), "{kind}: {one} is not in {sent:?}");
+        }
+        let bends = |all: &[&str]| {
+            let mut bends: Vec<&str> = all.iter().copied().filter(|one| one.starts_with('b')).collect();
+            bends.sort_unstable();
+            bends.dedup();
+            bends.join(" ")
+        };
+        let of_sheet: Vec<&str> = commanded[kind].iter().map(String::as_str).collect();
+        assert!(kind == "turn" || bends(&sent) == bends(&of_sheet), "{kind}: {sent:?}, {of_sheet:?}");
     }
 }
 

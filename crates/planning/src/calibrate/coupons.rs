@@ -18,6 +18,7 @@ use wirebend_files::number::short;
 use wirebend_files::read::{MeasuringSheet, SheetQuantity, SheetRow};
 use wirebend_files::write::{CouponSheet, Paper, PrintedCoupon, PrintedReading, coupon_sheet};
 
+use super::rounded::rounded;
 use crate::export::paper;
 use crate::machine::{Setup, deg, mm};
 use crate::output::Output;
@@ -101,6 +102,7 @@ pub fn new(
         let (kind, name) = named(&coupon);
         let commanded = compensate(&coupon.program, &setup.model.compensation)
             .map_err(|_| wrong("a coupon", name.clone(), "one that the machine can bend"))?;
+        let commanded = rounded(commanded, &setup)?;
         jobs[kind].1.push(Planned { name, coupon, commanded });
     }
     let sheet = MeasuringSheet {

@@ -9,6 +9,7 @@ mod enter;
 mod fit;
 mod measured;
 mod report;
+mod rounded;
 mod sheet;
 mod values;
 
