@@ -16,6 +16,7 @@ mod generated;
 mod machine;
 mod outputs;
 mod own_profiles;
+mod poor_readings;
 mod profiles;
 mod programs;
 mod results;

@@ -87,6 +87,11 @@ impl SheetFile {
             }
         };
         let row = rows.get_mut(index).ok_or_else(|| wrong("a row that the coupon has, counted from 1"))?;
+        if are_decimals(row, values) {
+            return Err(wrong(
+                "readings with a point before their decimals: a comma stands between readings, and so these would be twice as many",
+            ));
+        }
         self.entered += readings.iter().flatten().count();
         row.readings = readings;
         Ok(())
@@ -98,14 +103,17 @@ impl SheetFile {
         self.entered += pairs.len();
         let mut rows: Vec<SheetRow> = Vec::new();
         for PinPair { pin_deg, left_deg, .. } in pairs {
+            // Another table may have angles of one that was entered before.
+            let coupon = format!("pin-{pin_deg}");
+            let of_table = |row: &&mut SheetRow| row.coupon == coupon;
             let same = |row: &&mut SheetRow| {
                 (row.commanded - pin_deg).abs() < SAME_COMMAND && row.wanted.signum() == left_deg.signum()
             };
-            match rows.iter_mut().find(same) {
+            match self.sheet.rows.iter_mut().chain(&mut rows).filter(of_table).find(same) {
                 Some(row) => row.readings.push(Some(left_deg)),
                 None => rows.push(SheetRow {
                     line: 0,
-                    coupon: format!("pin-{pin_deg}"),
+                    coupon: coupon.clone(),
                     quantity: SheetQuantity::Bend,
                     wanted: left_deg,
                     commanded: pin_deg,
@@ -163,6 +171,22 @@ impl SheetFile {
         Output { path: self.path, force: true }.save(self.sheet.to_text().as_bytes())?;
         Ok(response)
     }
+}
+
+/// Whether readings have been typed with commas before their decimals: taken as readings, every other one is far from what was wanted,
+/// and the rest is near.
+fn are_decimals(row: &SheetRow, values: &str) -> bool {
+    let parts: Vec<&str> = values.split(',').map(str::trim).collect();
+    let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let wanted = row.wanted.abs();
+    let is_near = |digits: &str| digits.parse().is_ok_and(|value: f64| (value - wanted).abs() < wanted / 2.0);
+    let is_decimal = |pair: &[&str]| {
+        let &[whole, decimals] = pair else { return false };
+        let whole = whole.trim_start_matches(['-', '+']);
+        // Nothing that a person reads has more than two decimals.
+        is_digits(whole) && is_digits(decimals) && decimals.len() <= 2 && is_near(whole) && !is_near(decimals)
+    };
+    parts.len().is_multiple_of(2) && parts.chunks(2).all(is_decimal)
 }
 
 /// The coupon that is bent with these commands.

@@ -138,6 +138,10 @@ impl<'a> Table<'a> {
         if self.decimal_comma && cell.matches(',').count() == 1 && !cell.contains('.') {
             return source.number(*line, &cell.replace(',', ".")).map(Some);
         }
+        if cell.contains(',') && number_like(cell) {
+            let expected = "a number with a point: its comma could stand before decimals or behind thousands";
+            return Err(source.syntax(Location::Line(*line), cell, expected, ErrorRemedy::CorrectFile));
+        }
         source.number(*line, cell).map(Some)
     }
 
@@ -327,7 +331,8 @@ mod tests {
         assert_eq!((numbered.column(&["x"]), numbered.comments), (Some(1), 0));
         // Of this nobody knows whether it is one or a thousand.
         let thousand = Table::parse("\"1,000\",2,3");
-        assert!(thousand.value(Source { name: "t" }, 0, 0).is_err());
+        let refused = thousand.value(Source { name: "t" }, 0, 0).unwrap_err().to_string();
+        assert!(refused.contains("\"1,000\"") && refused.contains("thousands"), "{refused}");
         let words = Table::parse("who,what\nAnn,\"5\"\", twice\"\nBen,5\"\n");
         assert_eq!(words.rows[0].1, ["Ann", "5\", twice"]);
         assert_eq!(words.rows[1].1, ["Ben", "5\""]);

@@ -71,6 +71,9 @@ pub(crate) const EXPLANATIONS: [&str; 2] = [
     "# A cell may stay empty. What is commanded belongs to the jobs beside this file: do not change it.",
 ];
 
+/// Figures are written with four decimals, mm or degrees.
+const SAME: f64 = 1e-4;
+
 /// Names of the columns before those of readings.
 pub(crate) const COLUMNS: [&str; 6] = ["coupon", "what", "wanted", "commanded", "before_deg", "after_deg"];
 
@@ -152,6 +155,12 @@ impl MeasuringSheet {
                 readings: readings.iter().map(|&column| value(column)).collect::<Result<_, _>>()?,
             });
         }
+        if let Some([first, again]) = twice(&rows) {
+            let found = format!("{} as in line {}", again.coupon, first.line);
+            let expected = "each row once: what was read again stands behind what was read before";
+            let place = Location::Line(again.line);
+            return Err(source.syntax(place, &found, expected, ErrorRemedy::CorrectFile));
+        }
         if rows.is_empty() {
             return Err(ReadError::Empty { file: file.to_owned(), expected: "row", but: String::new() });
         }
@@ -164,6 +173,20 @@ impl MeasuringSheet {
             columns,
         })
     }
+}
+
+/// Two rows that are the same but for what was read: a fit would count their readings as if they were of different coupons.
+fn twice(rows: &[SheetRow]) -> Option<[&SheetRow; 2]> {
+    let near = |a: f64, b: f64| (a - b).abs() < SAME;
+    let same = |a: &SheetRow, b: &SheetRow| {
+        a.coupon == b.coupon
+            && a.quantity == b.quantity
+            && near(a.wanted, b.wanted)
+            && near(a.commanded, b.commanded)
+    };
+    rows.iter()
+        .enumerate()
+        .find_map(|(k, again)| rows[..k].iter().find(|first| same(first, again)).map(|first| [first, again]))
 }
 
 /// The comments of a sheet that are not of its own.
@@ -236,6 +259,10 @@ mod tests {
     fn what_is_wrong_is_said_with_its_line() {
         let broken = [
             (SHEET.replace("38.1", "38.l"), "s.csv, line 5: \"38.l\" is not a finite number"),
+            (
+                format!("{SHEET}angle-20,bend,20,12.5,,,20.6,\n"),
+                "s.csv, line 6: found \"angle-20 as in line 4\", expected each row once: what was read again stands behind what was read before",
+            ),
             (
                 SHEET.replace("bend", "bent"),
                 "s.csv, line 4: found \"bent\", expected bend, side, turn or turn-back",
