@@ -1810,8 +1810,8 @@ export type StoppedBy = "driver" | "nothing-more" | "end-of-driver" | "end-of-si
 export type ErrorCode =
   | "ask"
   | "at-work"
-  | "bend-too-far"
   | "begun-elsewhere"
+  | "bend-too-far"
   | "beyond-limit"
   | "busy"
   | "calibration"

@@ -137,8 +137,6 @@ const hasWires = (): boolean => (useProgram.getState().program?.wires.length ?? 
 /** Why nothing can be played of what is open as it is: it was asked for and has no program. Null where it has, or before it was asked. */
 export function whyNoProgram(): string | null {
   if (!isUpToDate() || hasWires()) return null;
-  const { problem } = useProgram.getState();
-  if (problem !== null) return `There is no program: ${problem}`;
   return useRunFile.getState().file ? "This file has no program to play." : "There is no program: see Check.";
 }
 

@@ -40,7 +40,13 @@ beforeEach(async () => {
     if (name === "calibrate-enter") readings = [Number(request.readings?.[0]?.split("=")[1])];
     if (name === "calibrate-fit")
       return { machine: "", material: "", kinds: [], shape: null, other_shape: null, left_out: [], gaps: [] };
-    if (name === "apply-calibration") return { machine: "my-kit", material: "my-wire", files: ["/p/my-kit.json"] };
+    if (name === "apply-calibration")
+      return {
+        machine: "my-kit",
+        material: "my-wire",
+        files: ["/p/my-kit.json"],
+        report: { kinds: [], left_out: [], doubts: [], gaps: [] },
+      };
     return { machines: [], materials: [], values: [], misfits: [] };
   });
   edit.mockReset().mockImplementation(async ({ machine, material }) => {
