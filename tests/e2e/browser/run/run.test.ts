@@ -321,9 +321,9 @@ it("asks how much of a step is in the wire that was stopped in its feed, and fin
     .getByText(`The machine will do: feed ${(whole - 5.5).toFixed(1).replace(/^(\d)(\d{3})/, "$1\u202f$2")} mm`)
     .waitFor();
   const go = dialog().getByRole("button", { name: "Continue", exact: true });
-  expect(await go.getAttribute("aria-disabled")).toBeNull();
+  await until(() => go.getAttribute("aria-disabled")).toBeNull();
   await dialog().getByLabel("Fed, mm").fill("5.5 of it");
-  expect(await go.getAttribute("title")).toBe("Type what you measure.");
+  await until(() => go.getAttribute("title")).toBe("Type what you measure.");
   await dialog().getByText("As counted", { exact: true }).click();
   await dialog().getByText("may have lost steps as it stopped").waitFor();
   await dialog().getByRole("button", { name: "Continue", exact: true }).click();
