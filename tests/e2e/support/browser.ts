@@ -36,17 +36,6 @@ export function openBrowser(more: readonly string[] = []): Promise<Browser> {
   return chromium.launch({ executablePath, headless: true, args });
 }
 
-let usual: Browser | null = null;
-
-/**
- * The browser with the usual arguments: one for all files of a worker, which ends with it. What a page keeps goes with its context. To
- * start one takes as much of the processor as to load a page three times.
- */
-export async function usualBrowser(): Promise<Browser> {
-  if (!usual?.isConnected()) usual = await openBrowser();
-  return usual;
-}
-
 /** What a page complained of that was not expected. */
 export interface Complaints {
   readonly list: string[];

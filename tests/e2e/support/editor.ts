@@ -3,7 +3,7 @@ import { basename } from "node:path";
 import type { Browser, Locator, Page } from "playwright-core";
 import { expect } from "vitest";
 import type { DesignView, MachineState } from "../../../ui/src/generated/responses.ts";
-import { barriers, type Complaints, openBrowser, openPage, picture, usualBrowser } from "./browser.ts";
+import { barriers, type Complaints, openBrowser, openPage, picture } from "./browser.ts";
 import { Loopback } from "./loopback.ts";
 
 export type Section =
@@ -31,8 +31,7 @@ export class Editor {
 
   private constructor(
     public loopback: Loopback,
-    /** Its own, where it needs one with other arguments than the usual. */
-    private readonly browser: Browser | null,
+    private readonly browser: Browser,
     readonly page: Page,
     private readonly complaints: Complaints,
   ) {
@@ -48,25 +47,16 @@ export class Editor {
     const home = Loopback.home();
     before(home);
     const loopback = await Loopback.start(home);
-    const own = browserArguments.length > 0 ? await openBrowser(browserArguments) : null;
-    const [page, complaints] = await openPage(own ?? (await usualBrowser()), loopback.url, options);
-    const editor = new Editor(loopback, own, page, complaints);
-    try {
-      await editor.ready();
-    } catch (error) {
-      await editor.end();
-      throw error;
-    }
+    const browser = await openBrowser(browserArguments);
+    const [page, complaints] = await openPage(browser, loopback.url, options);
+    const editor = new Editor(loopback, browser, page, complaints);
+    await editor.ready();
     return editor;
   }
 
   async end(): Promise<void> {
-    try {
-      await this.page.context().close();
-      await this.browser?.close();
-    } finally {
-      await this.loopback.end();
-    }
+    await this.browser.close();
+    await this.loopback.end();
   }
 
   /** The Rust side is killed and started again on what it has left, and the window with it. */
