@@ -175,7 +175,13 @@ test: XTASK := target/debug/xtask
 # What `cargo clippy` sets for itself; it would check all that others wrote once more, without using what is built.
 test: export RUSTC_WORKSPACE_WRAPPER := clippy-driver
 test: export CLIPPY_ARGS := -Dwarnings__CLIPPY_HACKERY__
-test: check-tools firmware-tools window-tools browser-tools fmt-check compiled unit rest ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
+test: check-tools firmware-tools window-tools browser-tools fmt-check compiled unit beside e2e-run ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
+
+# The examples of the documentation keep one core busy: what else needs no more comes beside them.
+.PHONY: beside
+beside: built
+	@$(call together,doc-test,$(MAKE) --no-print-directory doc-test,\
+	$(MAKE) --no-print-directory XTASK='$(XTASK)' tidy generate-check deny e2e-ready)
 
 # What checks the editor keeps one core busy at a time, and the compiler has the other.
 .PHONY: compiled ui-test
@@ -189,23 +195,15 @@ tests/e2e/node_modules/.package-lock.json: tests/e2e/package-lock.json
 	npm --prefix tests/e2e ci
 	@touch $@
 
-# The editor in a real browser, and the package, unpacked, through WebDriver, which waits most of its time.
-.PHONY: e2e e2e-ready browser installed
+# The editor in a real browser, and the package, unpacked, through WebDriver.
+.PHONY: e2e e2e-ready e2e-run
+e2e: e2e-ready e2e-run
 e2e-ready: built browser-tools tests/e2e/node_modules/.package-lock.json
-e2e: e2e-ready
-	@$(call together,installed,$(MAKE) --no-print-directory installed,$(MAKE) --no-print-directory browser)
-browser: e2e-ready
-	npm --prefix tests/e2e run --silent check
-	npm --prefix tests/e2e run --silent browser
-installed: e2e-ready
 	@$(MAKE) --no-print-directory packed PROFILE=debug
-	npm --prefix tests/e2e run --silent installed
-
-# Beside the browser what keeps one core busy at most: the examples of the documentation, and what needs no more.
-.PHONY: rest
-rest: e2e-ready
-	@$(call together,beside,$(MAKE) --no-print-directory XTASK='$(XTASK)' doc-test tidy generate-check deny installed,\
-	$(MAKE) --no-print-directory browser)
+	npm --prefix tests/e2e run --silent check
+# The package waits most of its time.
+e2e-run:
+	@$(call together,installed,npm --prefix tests/e2e run --silent installed,npm --prefix tests/e2e run --silent browser)
 
 # Packages are made by tags alone: what a mistake in their recipe would cost is seen before.
 .PHONY: release-check
