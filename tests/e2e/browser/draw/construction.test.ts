@@ -53,6 +53,8 @@ it("draws a construction line by a typed length and angle, and no edge", async (
   await dialog.getByLabel("Unit").selectOption("mm");
   await dialog.getByRole("button", { name: "Open" }).click();
   await editor.section("trace").getByText("2 faces").first().waitFor();
+  // It gives the focus back as it closes.
+  await dialog.waitFor({ state: "hidden" });
   await editor.page.locator(".viewport canvas").focus();
   await press("Shift+K");
   await until(() =>
