@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { act } from "react";
+import { act, useState } from "react";
 import { beforeEach, describe, expect, it } from "vitest";
 import type { DisplayUnit } from "../figures/format";
 import { ShownUnit } from "../figures/unit";
@@ -213,4 +213,36 @@ describe("beside its digits", () => {
     expect(committed).toEqual([12]);
     menu.remove();
   });
+});
+
+/** A form proposes a value just before the first key comes: what the key has typed is not what the proposal has replaced. */
+it("keeps what is typed as soon as another value stands there", async () => {
+  let propose: (value: number) => void = () => {};
+  function Form() {
+    const [value, setValue] = useState(30);
+    propose = setValue;
+    return <NumberField label="X" value={value} onCommit={(value) => committed.push(value)} />;
+  }
+  at.show(<Form />);
+  const field = at.host.querySelector("input");
+  if (!field) throw new Error("no field");
+  field.focus();
+  // As in a browser: nothing waits for what React has left to do.
+  Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: false });
+  const typed = new Promise<void>((done) => {
+    const observer = new MutationObserver(() => {
+      observer.disconnect();
+      Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set?.call(field, "36");
+      field.dispatchEvent(new Event("input", { bubbles: true }));
+      done();
+    });
+    observer.observe(field, { attributes: true });
+  });
+  setTimeout(() => propose(36.3));
+  await typed;
+  await new Promise((resolve) => setTimeout(resolve, 30));
+  expect(field.value).toBe("36");
+  field.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true }));
+  expect(committed).toEqual([36]);
+  Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: true });
 });

@@ -1,4 +1,12 @@
-import { type FocusEvent, type KeyboardEvent, type MouseEvent, useEffect, useRef, useState } from "react";
+import {
+  type FocusEvent,
+  type KeyboardEvent,
+  type MouseEvent,
+  useEffect,
+  useLayoutEffect,
+  useRef,
+  useState,
+} from "react";
 import "./controls.css";
 import { type DisplayUnit, lengthNumber, number, short, unitName, unitSize } from "../figures/format";
 import { parseAngle, parseLength, parseNumber } from "../figures/parse";
@@ -155,8 +163,9 @@ export function NumberField({
   const field = useRef<HTMLInputElement>(null);
   // What the arrow keys asked for and `value` is not yet: the next press continues from the last of them.
   const stepped = useRef<number[]>([]);
+  // Before the next key comes: later, what that has typed would be taken away.
   // biome-ignore lint/correctness/useExhaustiveDependencies: another value takes the place of what was typed
-  useEffect(() => {
+  useLayoutEffect(() => {
     setTyped(null);
     // A value that a form proposes while the field has the focus is replaced by what is typed, as the one before it.
     if (stepped.current.length === 0 && document.activeElement === field.current) field.current?.select();
