@@ -5,8 +5,8 @@ use crate::sag::Sag;
 
 /// So many times the moment that bends the wire a bend axis should have, for friction and for wire that is stronger than its figures.
 pub const TORQUE_MARGIN: f64 = 1.5;
-/// Radii are shown in parts of a mm, so many: of two that are shown alike, or are nearer than half of one, nothing is said.
-const SHOWN_PER_MM: f64 = 10.0;
+/// Of the same radius, written in another way, nothing is said.
+const SAME: f64 = 1e-9;
 
 pub(super) fn torque(wire: &WireStages, found: &mut Vec<Diagnostic>) {
     let Some(torque) = &wire.limits.bend_torque else { return };
@@ -20,9 +20,8 @@ pub(super) fn torque(wire: &WireStages, found: &mut Vec<Diagnostic>) {
 pub(super) fn radius(wire: &WireStages, found: &mut Vec<Diagnostic>) {
     let Some(bend) = &wire.limits.bend_radius else { return };
     let (inner, least) = (bend.inner.mm(), bend.least().mm());
-    let differ = (inner * SHOWN_PER_MM).round() < (least * SHOWN_PER_MM).round();
-    // Nor of a radius that may well be as large as it has to be.
-    if differ && least - inner > bend.inner_within.mm().max(0.5 / SHOWN_PER_MM) {
+    // Nor of one that may well be as large as it has to be.
+    if inner < least * (1.0 - SAME) && least - inner > bend.inner_within.mm() {
         found.push(warning(Fact::BendRadiusSmall(bend.clone())));
     }
 }

@@ -26,9 +26,14 @@ pub(super) fn bend_torque_low(available_n_m: f64, needed_n_m: f64) -> String {
 
 pub(super) fn bend_radius_small(bend: &BendRadius) -> String {
     let BendRadius { inner, least_diameters, .. } = bend;
+    let least = bend.least();
+    // As many digits as tell the two apart.
+    let alike = |digits: &usize| {
+        format!("{inner:.digits$}", digits = *digits) == format!("{least:.digits$}", digits = *digits)
+    };
+    let digits = (2..4).find(|digits| !alike(digits)).unwrap_or(4);
     format!(
-        "the inside of every bend has a radius of {inner:.2}, and this wire was seen to take {:.2} or more ({} times its diameter): the outside of bends may crack",
-        bend.least(),
+        "the inside of every bend has a radius of {inner:.digits$}, and this wire was seen to take {least:.digits$} or more ({} times its diameter): the outside of bends may crack",
         least_diameters.value
     )
 }

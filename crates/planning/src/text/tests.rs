@@ -295,17 +295,6 @@ fn findings_of_the_machine_tell_what_it_can_do() {
 }
 
 #[test]
-fn a_bend_that_is_tighter_than_the_wire_takes_is_told_with_both_radii() {
-    let least_diameters = Sourced { value: 1.5, source: stated(()).source };
-    let (inner, inner_within, diameter) = (mm(1.5), mm(0.0), mm(3.0));
-    says(
-        Location::default(),
-        Fact::BendRadiusSmall(BendRadius { inner, inner_within, diameter, least_diameters }),
-        "the inside of every bend has a radius of 1.50 mm, and this wire was seen to take 4.50 mm or more (1.5 times its diameter): the outside of bends may crack",
-    );
-}
-
-#[test]
 fn an_axis_that_is_hardly_strong_enough_is_told_with_both_torques() {
     let available_n_m = Sourced { value: 2.0, source: stated(()).source };
     says(

@@ -89,6 +89,18 @@ describe("the list of checks", () => {
     expect(group && figuresOf(group, "mm")).toMatch(/^least 25\.4 mm/);
   });
 
+  it("shows a value beyond a limit as another than the limit", () => {
+    const small: DiagnosticReport = { ...short(1, 1.5), code: "bend_radius_small", severity: "warning" };
+    const of = (value: number, limit: number, unit: "mm" | "inch") => {
+      const [group] = groupsOf(check([{ ...small, value, limit }]));
+      return group && figuresOf(group, unit);
+    };
+    expect(of(1.5, 1.503, "mm")).toMatch(/^1\.500 mm, limit 1\.503 mm/);
+    expect(of(1.49, 1.5, "mm")).toMatch(/^1\.49 mm, limit 1\.50 mm/);
+    expect(of(1.5, 4.5, "mm")).toMatch(/^1\.5 mm, limit 4\.5 mm/);
+    expect(of(1.5, 1.503, "inch")).toMatch(/^0\.0591 in, limit 0\.0592 in/);
+  });
+
   it("names what meets where, and how near, of a warning as of an error", () => {
     const meet = (severity: "error" | "warning", value: number): DiagnosticReport => ({
       code: "edges_meet",

@@ -1,21 +1,29 @@
 import type { Collisions, DiagnosticCode, DiagnosticReport, LiveCheck } from "../../generated/responses";
-import { angle, count, type DisplayUnit, length, meetingText, number, sentence } from "../../shared/figures/format";
+import { count, type DisplayUnit, length, meetingText, number, sentence } from "../../shared/figures/format";
 import type { Tone } from "../../shared/lists/Mark";
 import type { Known } from "../../state/design/collisions";
 import { isCollision, isNear } from "../../state/design/findings";
 import { isCompensated } from "../viewport/marks";
 
-/** A measured value or a limit with its unit; null where there is none. */
+/** A measured value or a limit with its unit, with so many digits more than usual; null where there is none. */
 export function valueText(
   value: number | null | undefined,
   unit: string | null | undefined,
   shown: DisplayUnit,
+  finer = 0,
 ): string | null {
   if (value === null || value === undefined) return null;
-  if (unit === "mm") return length(value, shown);
-  if (unit === "deg") return angle(value);
-  if (unit === "mpa") return `${number(value, 1)} MPa`;
-  return number(value, Number.isInteger(value) ? 0 : 1);
+  if (unit === "mm") return length(value, shown, finer);
+  if (unit === "deg") return `${number(value, 1 + finer)}°`;
+  if (unit === "mpa") return `${number(value, 1 + finer)} MPa`;
+  return number(value, Number.isInteger(value) ? 0 : 1 + finer);
+}
+
+/** A value and its limit, with as many digits as tell them apart: a value like its limit is beyond nothing. */
+function besideLimit({ value, limit, unit }: DiagnosticReport, shown: DisplayUnit): readonly (string | null)[] {
+  const pair = (finer: number) => [value, limit].map((one) => valueText(one, unit, shown, finer));
+  const isTold = ([one, other]: readonly (string | null)[]) => one !== other || one === null;
+  return value === limit ? pair(0) : ([0, 1, 2].map(pair).find(isTold) ?? pair(3));
 }
 
 /** The measured value of a finding, for a label; null where it has none. */
@@ -248,7 +256,7 @@ export function figuresOf({ reports }: Group, unit: DisplayUnit): string {
     const deep = `${reports.length === 1 || isNear(worst) ? "" : "up to "}${figure}`;
     return isEstimated(worst) ? `${deep}; dimensions are estimates` : deep;
   }
-  const [value, limit] = [valueText(worst.value, worst.unit, unit), valueText(worst.limit, worst.unit, unit)];
+  const [value, limit] = besideLimit(worst, unit);
   const which = reports.length === 1 ? "" : isLeast(worst) ? "least " : "most ";
   const what = OF_FEEDS.has(worst.code) ? "fed " : "";
   const parts = [value && `${what}${which}${value}`, limit && `limit ${limit}`];

@@ -120,3 +120,20 @@ fn every_remedy_is_a_clause() {
         assert!(!words.contains("--") && !words.contains('`') && words.split(' ').count() > 1, "{words}");
     }
 }
+
+#[test]
+fn a_bend_that_is_tighter_than_the_wire_takes_is_told_with_both_radii() {
+    let least_diameters = Sourced { value: 1.5, source: stated(()).source };
+    let (inner, inner_within, diameter) = (mm(1.5), mm(0.0), mm(3.0));
+    says(
+        Location::default(),
+        Fact::BendRadiusSmall(BendRadius { inner, inner_within, diameter, least_diameters }),
+        "the inside of every bend has a radius of 1.50 mm, and this wire was seen to take 4.50 mm or more (1.5 times its diameter): the outside of bends may crack",
+    );
+    let least_diameters = Sourced { value: 0.501, source: stated(()).source };
+    says(
+        Location::default(),
+        Fact::BendRadiusSmall(BendRadius { inner, inner_within, diameter, least_diameters }),
+        "the inside of every bend has a radius of 1.500 mm, and this wire was seen to take 1.503 mm or more (0.501 times its diameter): the outside of bends may crack",
+    );
+}
