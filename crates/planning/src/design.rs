@@ -237,6 +237,7 @@ impl DesignInput {
             shortest_edge: edges.map(|edges| edges.shortest),
             bend_radius: edges.map_or(Length::ZERO, |edges| edges.bend_radius),
             layers: self.layers.clone(),
+            commanded: self.program == Some(ProgramKind::Compensated),
             handedness: self.handedness,
             folder: self.input.folder().map(Path::to_owned),
             ..ReadOptions::default()

@@ -45,6 +45,8 @@ pub struct ReadOptions {
     /// Centreline radius of every bend of an LRA table without a CLR column. Lengths from corner to corner
     /// need none.
     pub clr: Option<Length>,
+    /// Whether the angles of a program are where the bend axis goes, and not those of the bends.
+    pub commanded: bool,
     /// How the machine that a program was written for counts its axes.
     pub convention: Convention,
     /// Which way the rotations of a table of bends turn. None: what the table says, else right (which is noted).
@@ -78,6 +80,7 @@ impl Default for ReadOptions {
             weld: Length::from_mm(1e-3).unwrap_or_default(),
             face_edges: false,
             clr: None,
+            commanded: false,
             convention: Convention::default(),
             handedness: None,
             tolerance: Length::from_mm(DEFAULT_TOLERANCE_MM).unwrap_or_default(),

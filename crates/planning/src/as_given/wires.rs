@@ -205,7 +205,7 @@ mod tests {
         let setup = app.setup("wirebend-kit", None).unwrap();
         let of = ProgramMachine { machine: Some("wirebend-kit"), material: None };
         for (text, advised) in [
-            ("F 50\nB 170\nF 50\n", &["open the angle between the two edges"][..]),
+            ("F 50\nB 200\nF 50\n", &["open the angle between the two edges"][..]),
             ("F 50\nB 90\nB 20\nF 50\n", &["move the edges apart"]),
         ] {
             let job = job_of_file(&app, "bends.txt", text.as_bytes(), of).unwrap();

@@ -186,7 +186,7 @@ pub(crate) fn finish(
         return Err(source.empty("feed of more than 0", &notes));
     }
     // As a corner it would be a smaller bend to the other side. How far an axis was told to go is another matter.
-    let beyond = |step: &Step| !told && step.bend.abs().deg() > MOST_BEND_DEG;
+    let beyond = |step: &Step| !(told || options.commanded) && step.bend.abs().deg() > MOST_BEND_DEG;
     if let Some(index) = steps.iter().position(beyond) {
         let place = lines.get(index).map_or(Location::Item("step", index + 1), |&line| Location::Line(line));
         return Err(ReadError::NoCorner {
