@@ -207,18 +207,19 @@ fn is_commanded(rows: &[&SheetRow], commands: &[JobStep]) -> bool {
     if behind.iter().any(|step| step.bend_deg != 0.0) {
         return false;
     }
-    let flat = || bent.iter().skip(1).all(|step| near(step.rotate_deg, 0.0));
-    let alike = || bent.windows(2).all(|pair| near(pair[0].bend_deg, pair[1].bend_deg));
+    // The rotation before the first bend turns the wire as a whole.
+    let is_flat = bent.iter().skip(1).all(|step| near(step.rotate_deg, 0.0));
+    let bends_alike = bent.windows(2).all(|pair| near(pair[0].bend_deg, pair[1].bend_deg));
     let fits = |(at, row): (usize, &&SheetRow)| match row.quantity {
-        SheetQuantity::Bend => bent.len() == rows.len() && flat() && near(bent[at].bend_deg, row.commanded),
+        SheetQuantity::Bend => bent.len() == rows.len() && is_flat && near(bent[at].bend_deg, row.commanded),
         SheetQuantity::Turn | SheetQuantity::TurnBack => {
-            bent.len() == rows.len() + 1 && alike() && near(bent[at + 1].rotate_deg, row.commanded)
+            bent.len() == rows.len() + 1 && bends_alike && near(bent[at + 1].rotate_deg, row.commanded)
         }
         SheetQuantity::Side => {
             let axes = row.axes_deg.zip(bent.first_chunk::<2>()).is_some_and(|([before, after], steps)| {
                 near(steps[0].bend_deg, before) && near(steps[1].bend_deg, after)
             });
-            bent.len() == 2 && flat() && axes && near(bent[1].feed_mm, row.commanded)
+            bent.len() == 2 && is_flat && axes && near(bent[1].feed_mm, row.commanded)
         }
     };
     !rows.is_empty() && rows.iter().enumerate().all(fits)
