@@ -2,9 +2,9 @@
 
 import type { EdgeView } from "../../generated/responses";
 import type { SceneDesign, SceneEdge, SceneVertex } from "../../scene/interface";
-import { type DesignState, useDesign } from "./design";
+import { useDesign } from "./design";
 
-/** The scene draws those of the ceiling as any other. */
+/** As the Rust side sends it; the scene draws edges of the ceiling as any other, and does not name them. */
 type MarkedEdge = SceneEdge & Pick<EdgeView, "ceiling">;
 
 /** What an answer is of: the wireframe, and all else that it depends on as one text. */
@@ -14,19 +14,13 @@ export interface Basis extends SceneDesign {
 }
 
 /** The design as it is, with this of all else. */
-export function basisNow(...rest: readonly unknown[]): Basis {
+export function designNow(...rest: readonly unknown[]): Basis {
   const { vertices, edges } = useDesign.getState();
   return { vertices, edges, rest: JSON.stringify(rest) };
 }
 
 /** What is marked at vertices and edges, where an answer depends on it. */
 export type Mark = "support" | "joint" | "ceiling";
-
-/** What decides how the wires of a design run and are bent, wherever they may hit something, as one text. */
-export function wiresOf(state: DesignState | null): string {
-  const { machine, material, doublings, start, wires, closed, reversed, walks } = state ?? {};
-  return JSON.stringify([machine, material, doublings, start, wires, closed, reversed, walks]);
-}
 
 /** Whether both are the same: a change that touches none of it leaves an answer as it is. */
 export function isSame(a: Basis, b: Basis, marks: readonly Mark[]): boolean {

@@ -64,11 +64,15 @@ export const useDesign = create<DesignStore>()(() => ({
 export const isRefused = ({ check, version, refused }: DesignStore): boolean =>
   check?.feasible === false || refused === version;
 
-/** What decides how the wires of a design run and are bent, beside its edges: the same text where it is the same. */
-export function choicesOf(state: DesignState | null): string {
-  const { machine, material, doublings, start, wires, closed, reversed, walks, collisions } = state ?? {};
-  return JSON.stringify([machine, material, doublings, start, wires, closed, reversed, walks, collisions]);
+/** What decides how the wires of a design run, beside its edges, wherever they may hit something: the same text where it is the same. */
+export function wiresOf(state: DesignState | null): string {
+  const { machine, material, doublings, start, wires, closed, reversed, walks } = state ?? {};
+  return JSON.stringify([machine, material, doublings, start, wires, closed, reversed, walks]);
 }
+
+/** The same with what is to be said of what they hit. */
+export const choicesOf = (state: DesignState | null): string =>
+  wiresOf(state) + JSON.stringify(state?.collisions ?? null);
 
 /** How often refusals were forgotten. */
 let forgotten = 0;

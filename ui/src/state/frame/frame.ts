@@ -7,8 +7,8 @@ import { platform } from "../../platform";
 import type { SceneDesign, Vec3 } from "../../scene/interface";
 import { told } from "../asking/problems";
 import { asking } from "../asking/work";
-import { type Basis, basisNow, isSame, type Mark, wiresOf } from "../design/content";
-import { useDesign } from "../design/design";
+import { type Basis, designNow, isSame, type Mark } from "../design/content";
+import { useDesign, wiresOf } from "../design/design";
 import { useMachines } from "../machine/machines";
 import { type Faces, facesAsked, facesStillThere } from "./faces";
 import { showFrame } from "./shape";
@@ -170,7 +170,7 @@ function supports({ hold, chosen }: FrameChoice): FrameSupports {
 function basisOf(choice: FrameChoice): Basis {
   const { state } = useDesign.getState();
   const wires = choice.errors === null ? null : wiresOf(state);
-  return basisNow(useMachines.getState().changes, materialOf(choice), wires, frameRequest(choice));
+  return designNow(useMachines.getState().changes, materialOf(choice), wires, frameRequest(choice));
 }
 
 /** What the struts are of: without a choice, and without one of the design, its machine decides. */
@@ -201,7 +201,7 @@ export function frameRequest(choice: FrameChoice): FrameDesign {
 function toleranceBasis(frame: FrameStore): Basis {
   const { required, closing, double, faces } = frame;
   const design = required.continuum ? null : [wiresOf(useDesign.getState().state), closing, double, faces];
-  const basis = basisNow(design, useMachines.getState().changes, materialOf(frame), required);
+  const basis = designNow(design, useMachines.getState().changes, materialOf(frame), required);
   return design ? basis : { ...basis, vertices: NO_DESIGN.vertices, edges: NO_DESIGN.edges };
 }
 

@@ -4,8 +4,8 @@ import { create } from "zustand";
 import type { Prediction } from "../../generated/responses";
 import { platform } from "../../platform";
 import { asking } from "../asking/work";
-import { type Basis, basisNow, isSame, wiresOf } from "../design/content";
-import { useDesign } from "../design/design";
+import { type Basis, designNow, isSame } from "../design/content";
+import { useDesign, wiresOf } from "../design/design";
 import { useFrame } from "../frame/frame";
 import { useMachines } from "../machine/machines";
 
@@ -69,7 +69,7 @@ const taken = (): string | null =>
 
 function basisOf(): Basis {
   const { state } = useDesign.getState();
-  return basisNow(useMachines.getState().changes, wiresOf(state), taken(), usePrediction.getState().within);
+  return designNow(useMachines.getState().changes, wiresOf(state), taken(), usePrediction.getState().within);
 }
 
 /** Supports, joints and ceilings have no part in how a wire is bent. */

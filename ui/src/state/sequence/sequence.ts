@@ -5,7 +5,7 @@ import type { GroupBy, OrderedStep } from "../../generated/requests";
 import type { DrawnSequence } from "../../generated/responses";
 import { platform } from "../../platform";
 import { asking } from "../asking/work";
-import { type Basis, basisNow, isSame } from "../design/content";
+import { type Basis, designNow, isSame } from "../design/content";
 import { useDesign } from "../design/design";
 import { showFrame } from "../frame/shape";
 import { hideByHand } from "../machine/by_hand";
@@ -85,7 +85,7 @@ function basisOf({ machine, epsilon, groupBy }: Pick<SequenceStore, "machine" | 
   const { state } = useDesign.getState();
   // The walks of the wires say what is placed at once.
   const walks = groupBy === "wire" ? state?.walks : null;
-  return basisNow(useMachines.getState().changes, machine, epsilon, groupBy, state?.material, walks);
+  return designNow(useMachines.getState().changes, machine, epsilon, groupBy, state?.material, walks);
 }
 
 /** Whether anything was changed since it was found. */
