@@ -144,7 +144,7 @@ fn piece(from: Point3<f64>, to: Point3<f64>, bulge: f64) -> Piece {
 }
 
 fn insert(record: &Record<'_>) -> Result<Insert, ReadError> {
-    let block = record.text(2).ok_or_else(|| record.lacks(2))?.to_lowercase();
+    let block = record.name(2).ok_or_else(|| record.lacks(2))?;
     let [x, y, z] = [41, 42, 43].map(|code| record.real(code));
     let scale = Vector3::new(x?.unwrap_or(1.0), y?.unwrap_or(1.0), z?.unwrap_or(1.0));
     let scale = Matrix3::from_diagonal(&scale);

@@ -11,6 +11,7 @@ mod blocks;
 mod entity;
 mod faces;
 mod fit;
+mod letters;
 mod pairs;
 mod record;
 mod shape;
@@ -22,6 +23,7 @@ use nalgebra::{Affine3, Point3};
 use self::blocks::{Block, Content, Entity, Plotter};
 use self::entity::{Corner, affine, bulged, shape};
 use self::faces::{Head, Mesh};
+use self::letters::Letters;
 use self::pairs::{BINARY, Pairs};
 use self::record::{Record, Records};
 use self::shape::Shape;
@@ -32,7 +34,7 @@ use super::format::Format;
 use super::note::NoteKind;
 use super::options::ReadOptions;
 use super::outline::{Outline, Pen};
-use super::text::{Source, decode, lines};
+use super::text::{Source, lines};
 use wirebend_error::ErrorRemedy;
 
 /// Whether the bytes begin as every binary file does.
@@ -53,8 +55,10 @@ pub(super) fn looks_like(text: &str) -> bool {
 
 /// Reads a drawing; what is in no section of entities or blocks is looked at for units and layers only.
 pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
-    let text = if is_binary(bytes) { "".into() } else { decode(bytes) };
-    let pairs = if is_binary(bytes) { Pairs::binary(bytes, source) } else { Pairs::text(&text, source) };
+    let letters = Letters::of(bytes);
+    let text = if is_binary(bytes) { "".into() } else { letters.text(bytes) };
+    let pairs =
+        if is_binary(bytes) { Pairs::binary(bytes, letters, source) } else { Pairs::text(&text, source) };
     let mut records = Records::new(source, pairs)?;
     let mut scan = Scan::new(source, options.units.is_some());
     while let Some(record) = records.next()? {
@@ -155,7 +159,7 @@ impl<'a> Scan<'a> {
             Some("BLOCKS") => match record.kind.as_str() {
                 "BLOCK" => {
                     self.end_block();
-                    let name = record.text(2).ok_or_else(|| record.lacks(2))?.to_lowercase();
+                    let name = record.name(2).ok_or_else(|| record.lacks(2))?;
                     // A block of 4 is another file, one of 8 laid over.
                     let (base, elsewhere) = (record.point(10)?, record.flag(4 | 8)?);
                     self.block = Some((name, Block { base, elsewhere, entities: Vec::new() }));
@@ -194,7 +198,7 @@ impl<'a> Scan<'a> {
 
     /// A negative colour is a layer that is off, a flag of 1 one that is frozen.
     fn layer(&mut self, record: &Record<'_>) -> Result<(), ReadError> {
-        let name = record.text(2).ok_or_else(|| record.lacks(2))?.to_lowercase();
+        let name = record.name(2).ok_or_else(|| record.lacks(2))?;
         let on = record.whole(62)?.unwrap_or(7) >= 0 && !record.flag(1)?;
         self.content.layers.insert(name, on);
         Ok(())
@@ -220,7 +224,7 @@ impl<'a> Scan<'a> {
         let invisible = record.whole(60)? == Some(1);
         let hidden = if paper { Some(NoteKind::PaperIgnored) } else { None };
         let hidden = hidden.or(invisible.then_some(NoteKind::HiddenIgnored));
-        let layer = record.text(8).map_or_else(|| "0".to_owned(), |name| name.to_lowercase());
+        let layer = record.name(8).unwrap_or_else(|| "0".to_owned());
         let place = record.place.clone();
         if record.kind != "POLYLINE" {
             let shape = shape(record);

@@ -6,6 +6,7 @@ use wirebend_error::ErrorRemedy;
 
 use super::super::error::{Location, ReadError};
 use super::super::text::{Source, excerpt, lines};
+use super::letters::Letters;
 
 /// What every binary file begins with.
 pub(super) const BINARY: &[u8] = b"AutoCAD Binary DXF\r\n\x1a\0";
@@ -80,10 +81,10 @@ impl<'a> Pairs<'a> {
     }
 
     /// The bytes behind [`BINARY`].
-    pub(super) fn binary(bytes: &'a [u8], source: Source<'a>) -> Self {
+    pub(super) fn binary(bytes: &'a [u8], letters: Letters, source: Source<'a>) -> Self {
         // The first group is 0 SECTION; before release 13 a code had one byte.
         let wide = bytes.get(BINARY.len() + 1) == Some(&0);
-        Self { source, input: Input::Binary(Binary { bytes, at: BINARY.len(), wide }) }
+        Self { source, input: Input::Binary(Binary { bytes, letters, at: BINARY.len(), wide }) }
     }
 
     /// None at the end of the file.
@@ -119,6 +120,7 @@ fn text_pair<'a>(
 
 struct Binary<'a> {
     bytes: &'a [u8],
+    letters: Letters,
     at: usize,
     wide: bool,
 }
@@ -179,7 +181,7 @@ impl<'a> Binary<'a> {
             _ => {
                 let rest = &self.bytes[self.at..];
                 let length = rest.iter().position(|&byte| byte == 0).unwrap_or(rest.len());
-                let text = String::from_utf8_lossy(self.take(length, source)?);
+                let text = self.letters.text(self.take(length, source)?);
                 self.take(1, source)?;
                 Value::Text(text)
             }

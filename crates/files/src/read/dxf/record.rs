@@ -7,6 +7,7 @@ use wirebend_error::ErrorRemedy;
 
 use super::super::error::{Location, ReadError};
 use super::super::text::Source;
+use super::letters::unescaped;
 use super::pairs::{Pair, Pairs};
 
 /// One entity, table entry, or mark of a section.
@@ -71,6 +72,11 @@ impl Record<'_> {
 
     pub(super) fn text(&self, code: i32) -> Option<Cow<'_, str>> {
         self.find(code).map(Pair::text)
+    }
+
+    /// The name of a layer or a block: those that differ only in case are one.
+    pub(super) fn name(&self, code: i32) -> Option<String> {
+        self.text(code).map(|name| unescaped(&name).to_lowercase())
     }
 
     pub(super) fn real(&self, code: i32) -> Result<Option<f64>, ReadError> {

@@ -86,3 +86,43 @@ fn a_table_of_bends_may_have_words_beside_them() {
     let imported = import("a.csv", table).unwrap();
     assert_eq!((imported.format, imported.wireframe.edge_count()), (Format::Lra, 3));
 }
+
+/// "Träger" and "Trüger" differ in a letter that is not ASCII, "表" is two bytes of which the second is a backslash in ASCII.
+#[test]
+fn the_layers_of_a_drawing_are_named_in_its_code_page() {
+    let drawing = |page: &str, layers: [&[u8]; 2]| {
+        let header = if page.is_empty() {
+            String::new()
+        } else {
+            format!("0\nSECTION\n2\nHEADER\n9\n$DWGCODEPAGE\n3\n{page}\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n")
+        };
+        let mut bytes = (header + "0\nSECTION\n2\nENTITIES\n").into_bytes();
+        for (layer, x) in layers.into_iter().zip([1, 2]) {
+            bytes.extend(b"0\nLINE\n8\n");
+            bytes.extend(layer);
+            bytes.extend(format!("\n10\n0\n20\n0\n11\n{x}\n21\n0\n").bytes());
+        }
+        bytes.extend(b"0\nENDSEC\n0\nEOF\n");
+        bytes
+    };
+    let german: [&[u8]; 2] = [b"Tr\xe4ger", b"Tr\xfcger"];
+    for (page, layers, wanted) in [
+        ("ANSI_1252", german, "Träger"),
+        ("", german, "träger"),
+        ("ANSI_1251", [b"\xea\xf0\xf3\xe3", b"\xea\xf0\xf3\xea"], "КРУГ"),
+        ("ansi_932", [b"\x95\x5c", b"\x95\x5d"], "表"),
+        ("ANSI_1252", ["Träger".as_bytes(), "Trüger".as_bytes()], "Träger"),
+        ("ANSI_1252", [b"Tr\\U+00E4ger", b"Tr\\U+00FCger"], "Träger"),
+    ] {
+        let options = ReadOptions { layers: vec![wanted.to_owned()], ..ReadOptions::default() };
+        let imported = read(&drawing(page, layers), "a.dxf", None, &options)
+            .unwrap_or_else(|error| panic!("{page}, {wanted}: {error}"));
+        assert_eq!(imported.wireframe.edge_count(), 1, "{page}, {wanted}");
+        assert!((imported.wireframe.total_length().mm() - 1.0).abs() < 1e-12, "{page}, {wanted}");
+    }
+    // A page that nobody knows, and what only looks like a letter.
+    for (page, layer) in [("ANSI_1361", b"a\xe4".as_slice()), ("ANSI_1252", b"a\\U+D800"), ("", b"\\U+")] {
+        let imported = read(&drawing(page, [layer, b"b"]), "a.dxf", None, &ReadOptions::default());
+        assert_eq!(imported.unwrap().wireframe.edge_count(), 2, "{page}");
+    }
+}
