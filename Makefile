@@ -175,13 +175,13 @@ test: XTASK := target/debug/xtask
 # What `cargo clippy` sets for itself; it would check all that others wrote once more, without using what is built.
 test: export RUSTC_WORKSPACE_WRAPPER := clippy-driver
 test: export CLIPPY_ARGS := -Dwarnings__CLIPPY_HACKERY__
-test: check-tools firmware-tools window-tools browser-tools fmt-check compiled unit beside e2e-run ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
+test: check-tools firmware-tools window-tools browser-tools fmt-check compiled unit-and-spare e2e-run ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
 
-# The examples of the documentation keep one core busy: what else needs no more comes beside them.
-.PHONY: beside
-beside: built
-	@$(call together,doc-test,$(MAKE) --no-print-directory doc-test,\
-	$(MAKE) --no-print-directory XTASK='$(XTASK)' tidy generate-check deny e2e-ready)
+# Machines wait most of their time. What else is checked before the window gets what they leave of the processor.
+.PHONY: unit-and-spare spare
+unit-and-spare: built
+	@$(call together,spare,xtask/spare.sh $(MAKE) --no-print-directory XTASK='$(XTASK)' spare,$(MAKE) --no-print-directory unit)
+spare: doc-test tidy generate-check deny e2e-ready
 
 # What checks the editor keeps one core busy at a time, and the compiler has the other.
 .PHONY: compiled ui-test
