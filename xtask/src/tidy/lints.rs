@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     fn member(room: &str) -> Member {
-        Member { room: room.to_owned(), dependencies: Vec::new() }
+        Member { room: room.to_owned(), dependencies: Vec::new(), targets: Vec::new() }
     }
 
     #[test]

@@ -12,6 +12,15 @@ pub(super) struct Member {
     /// Its folder below the workspace root: crates are known by their room, not by their name.
     pub(super) room: String,
     pub(super) dependencies: Vec<Dependency>,
+    pub(super) targets: Vec<Target>,
+}
+
+/// A library, a program, or what else is compiled of a crate.
+pub(super) struct Target {
+    /// Its first file, below the workspace root.
+    pub(super) source: String,
+    /// Whether its tests are compiled and run.
+    pub(super) tested: bool,
 }
 
 /// One line of a crate's dependency tables.
@@ -56,7 +65,16 @@ pub(super) fn read(root: &Path) -> Result<Vec<Member>> {
             ships: dependency.kind != DependencyKind::Development,
             room: dependency.path.as_ref().map(|path| room_of(path.as_std_path())),
         });
-        members.push(Member { room: room_of(folder.as_std_path()), dependencies: dependencies.collect() });
+        let targets = package.targets.iter().map(|target| Target {
+            source: room_of(target.src_path.as_std_path()),
+            // Build scripts have no tests, benchmarks are run as such.
+            tested: target.test || target.is_custom_build() || target.is_bench(),
+        });
+        members.push(Member {
+            room: room_of(folder.as_std_path()),
+            dependencies: dependencies.collect(),
+            targets: targets.collect(),
+        });
     }
     members.sort_by(|a, b| a.room.cmp(&b.room));
     Ok(members)

@@ -21,6 +21,7 @@ mod rust_source;
 mod sources;
 mod tree;
 mod unsafe_code;
+mod untested;
 
 use std::path::Path;
 
@@ -60,6 +61,7 @@ pub(crate) fn run(root: &Path) -> Result<()> {
     findings.extend(unsafe_code::check(&files));
     findings.extend(lints::check(&members, &files));
     findings.extend(sources::check(&files));
+    findings.extend(untested::check(&members, &files));
     findings.extend(local_text::check(&files));
     findings.extend(glossary::check(&files));
     findings.sort_by(|a, b| (a.only_report, &a.path, a.line).cmp(&(b.only_report, &b.path, b.line)));

@@ -208,6 +208,7 @@ mod tests {
         let member = |room: &&str| Member {
             room: (*room).to_owned(),
             dependencies: vec![on("nalgebra", true), on("serde_json", true), on("proptest", false)],
+            targets: Vec::new(),
         };
         let manifest = |room: &&str| {
             file(&format!("{room}/Cargo.toml"), "[dependencies]\nnalgebra = \"1\"\nserde_json = \"1\"\n")

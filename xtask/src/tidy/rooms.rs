@@ -169,7 +169,7 @@ mod tests {
             ships,
             room: Some(room.to_owned()),
         });
-        Member { room: room.to_owned(), dependencies: dependencies.collect() }
+        Member { room: room.to_owned(), dependencies: dependencies.collect(), targets: Vec::new() }
     }
 
     #[test]
