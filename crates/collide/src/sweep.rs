@@ -5,17 +5,15 @@ use std::collections::BinaryHeap;
 
 use nalgebra::IsometryMatrix3;
 
-use crate::chain::{Chain, Interval, Run};
+use crate::chain::{Interval, Run};
 use crate::piece::nearer_than;
-use crate::{Motion, Solid};
+use crate::{Motion, Parts, Solid};
 
 /// What is asked about a chain and a solid that moves past it.
 #[derive(Clone, Copy)]
 pub struct Task<'a> {
-    /// The chain.
-    pub chain: &'a Chain,
-    /// Which parts of it count, in order and apart from each other. None: nothing.
-    pub parts: &'a [Interval],
+    /// What counts of the chain.
+    pub parts: &'a Parts<'a>,
     /// The solid.
     pub solid: &'a Solid,
     /// How it moves past the chain.
@@ -29,18 +27,17 @@ pub struct Task<'a> {
 impl Task<'_> {
     /// Whether what counts of a piece may.
     fn piece_may_meet(&self, piece: usize, reach: f64) -> bool {
-        clipped(self.parts, self.chain.interval(piece)).any(|part| {
-            let [from, to] = [part.from, part.to].map(|along| self.chain.point(piece, along));
+        self.parts.within(self.parts.chain().interval(piece)).any(|part| {
+            let [from, to] = [part.from, part.to].map(|along| self.parts.chain().point(piece, along));
             self.motion.min_distance_of_piece([&from, &to]) <= reach
         })
     }
 
-    /// Whether a run of pieces counts, and may come as near as `reach` for all that is known without moving it.
+    /// Whether a run of pieces may come as near as `reach` for all that is known without moving it.
     fn may_meet(&self, run: Run, reach: f64) -> bool {
-        let ball = self.chain.ball(run);
+        let ball = self.parts.chain().ball(run);
         self.motion.min_distance(&ball.centre) - ball.radius <= reach
-            && counts(self.parts, self.chain.extent(run))
-            && (self.chain.halves(run).is_some() || self.piece_may_meet(run.first, reach))
+            && (self.parts.chain().halves(run).is_some() || self.piece_may_meet(run.first, reach))
     }
 }
 
@@ -63,7 +60,9 @@ pub struct Proximity {
 /// It is reported no later than it is, and no earlier than at a distance of `tolerance` more than `reach`.
 #[must_use]
 pub fn first_contact(task: &Task) -> Option<Proximity> {
-    let mut search = First { task, now: vec![task.chain.all()?], later: BinaryHeap::new() };
+    let reach = task.reach + task.tolerance;
+    let now = task.parts.runs().iter().rev().copied().filter(|run| task.may_meet(*run, reach)).collect();
+    let mut search = First { task, now, later: BinaryHeap::new() };
     let mut time = 0.0;
     loop {
         let pose = task.motion.pose(time);
@@ -121,15 +120,19 @@ impl First<'_> {
     /// Moves a run on by what its distance allows, divides it where that is little, or finds that it meets the solid now.
     fn advance(&mut self, run: Run, time: f64, pose: &IsometryMatrix3<f64>) -> Option<Proximity> {
         let task = self.task;
-        let ball = task.chain.ball(run);
+        let ball = task.parts.chain().ball(run);
         let mut free = task.solid.distance(&(pose * ball.centre)) - ball.radius - task.reach;
+        // As far as its centre goes, goes the ball: how it turns about that says nothing.
+        let mut turning = 0.0;
         if free <= task.tolerance.max(ball.radius * NEAR) {
-            if let Some(halves) = task.chain.halves(run) {
+            if let Some(halves) = task.parts.chain().halves(run) {
                 let may_meet = |half: &Run| task.may_meet(*half, task.reach + task.tolerance);
                 self.now.extend(halves.into_iter().rev().filter(may_meet));
                 return None;
             }
-            let near = clipped(task.parts, task.chain.interval(run.first))
+            let near = task
+                .parts
+                .within(task.parts.chain().interval(run.first))
                 .map(|part| nearest(task, run.first, part, pose, f64::INFINITY))
                 .min_by(|one, other| one.distance.total_cmp(&other.distance))?;
             if near.distance - task.reach <= task.tolerance {
@@ -137,8 +140,9 @@ impl First<'_> {
             }
             // What the narrowing of the distance may be off by is taken away.
             free = near.distance - task.reach - task.tolerance / 4.0;
+            turning = ball.radius;
         }
-        let time = time + free / task.motion.max_travel(&ball.centre, ball.radius);
+        let time = time + free / task.motion.max_travel(&ball.centre, turning);
         if time <= 1.0 {
             self.later.push(Later { time, run });
         }
@@ -151,7 +155,10 @@ impl First<'_> {
 #[must_use]
 pub fn closest(task: &Task, surface: f64, share: f64) -> Option<Proximity> {
     let mut search = Closest { task, surface, share, best: None };
-    search.look(task.chain.all()?, Span::WHOLE, &task.motion.pose(Span::WHOLE.middle()));
+    let pose = task.motion.pose(Span::WHOLE.middle());
+    for &run in task.parts.runs() {
+        search.look(run, Span::WHOLE, &pose);
+    }
     search.best
 }
 
@@ -193,22 +200,22 @@ impl Closest<'_> {
         if !task.may_meet(run, self.wanted()) {
             return;
         }
-        let ball = task.chain.ball(run);
+        let ball = task.parts.chain().ball(run);
         let moves = task.motion.max_travel(&ball.centre, ball.radius) * span.half_length();
         let centre = task.solid.distance(&(pose * ball.centre));
         if centre - ball.radius - moves >= self.wanted() {
             return;
         }
         let mut in_time = moves > ball.radius;
-        if let Some(halves) = task.chain.halves(run).filter(|_| !in_time) {
+        if let Some(halves) = task.parts.chain().halves(run).filter(|_| !in_time) {
             for half in halves {
                 self.look(half, span, pose);
             }
             return;
         }
-        if task.chain.halves(run).is_none() {
+        if task.parts.chain().halves(run).is_none() {
             in_time = false;
-            for part in clipped(task.parts, task.chain.interval(run.first)) {
+            for part in task.parts.within(task.parts.chain().interval(run.first)) {
                 let near = nearest(task, run.first, part, pose, self.wanted() + moves);
                 if near.distance < self.wanted() {
                     self.best = Some(Proximity { time: span.middle(), ..near });
@@ -237,21 +244,8 @@ impl Closest<'_> {
 
 /// How near a part of a piece comes; the time is left open.
 fn nearest(task: &Task, piece: usize, part: Interval, pose: &IsometryMatrix3<f64>, enough: f64) -> Proximity {
-    let at = |along: f64| pose * task.chain.point(piece, along);
+    let at = |along: f64| pose * task.parts.chain().point(piece, along);
     let near = nearer_than([&at(part.from), &at(part.to)], task.solid, task.tolerance / 4.0, enough);
     let along = part.from + (part.to - part.from) * near.part;
     Proximity { time: 0.0, piece, along, distance: near.distance }
-}
-
-/// Whether any of the parts that count is in an interval.
-fn counts(parts: &[Interval], interval: Interval) -> bool {
-    let after = parts.partition_point(|part| part.to < interval.from);
-    parts.get(after).is_some_and(|part| part.from <= interval.to)
-}
-
-/// The parts of an interval that count.
-fn clipped(parts: &[Interval], interval: Interval) -> impl Iterator<Item = Interval> {
-    let after = parts.partition_point(|part| part.to < interval.from);
-    let within = parts[after..].iter().take_while(move |part| part.from <= interval.to);
-    within.map(move |part| Interval { from: part.from.max(interval.from), to: part.to.min(interval.to) })
 }

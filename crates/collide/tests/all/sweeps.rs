@@ -2,12 +2,11 @@
 
 use nalgebra::{Isometry3, Point3, Vector3};
 use proptest::prelude::*;
-use wirebend_collide::{Chain, Interval, Solid, Task, closest, first_contact};
+use wirebend_collide::{Chain, Interval, Parts, Solid, Task, closest, first_contact};
 
 use crate::sampled::{self, Screw};
 
 const TOLERANCE: f64 = 0.005;
-const EVERYWHERE: Interval = Interval { from: 0.0, to: f64::INFINITY };
 
 /// The least sampled distance of a chain at a time, and what the exact one can be below.
 fn at_time(chain: &Chain, solid: &Solid, motion: &Screw, time: f64) -> (f64, f64) {
@@ -32,7 +31,7 @@ proptest! {
         use wirebend_collide::Motion;
         let chain = Chain::new(points);
         let task = Task {
-            chain: &chain, parts: &[EVERYWHERE], solid: &solid, motion: &motion, reach, tolerance: TOLERANCE,
+            parts: &Parts::whole(&chain), solid: &solid, motion: &motion, reach, tolerance: TOLERANCE,
         };
         let found = first_contact(&task);
         let steps = 200;
@@ -68,15 +67,16 @@ proptest! {
     ) {
         let chain = Chain::new(points.clone());
         let [from, to] = [chain.along()[1], chain.along()[3]];
-        let task = |chain, parts| Task { chain, parts, solid: &solid, motion: &motion, reach: 1.0, tolerance: TOLERANCE };
+        let task = |parts| Task { parts, solid: &solid, motion: &motion, reach: 1.0, tolerance: TOLERANCE };
         let alone = Chain::new(points[1..4].to_vec());
-        let parts = [Interval { from, to }];
-        let (one, other) = (first_contact(&task(&chain, &parts)), first_contact(&task(&alone, &[EVERYWHERE])));
+        let some = Parts::of(&chain, vec![Interval { from, to }]);
+        let (all, none) = (Parts::whole(&alone), Parts::of(&chain, Vec::new()));
+        let (one, other) = (first_contact(&task(&some)), first_contact(&task(&all)));
         prop_assert_eq!(one.is_some(), other.is_some());
         if let (Some(one), Some(other)) = (one, other) {
             prop_assert!((one.time - other.time).abs() < 0.01);
         }
-        prop_assert!(first_contact(&task(&chain, &[])).is_none());
+        prop_assert!(first_contact(&task(&none)).is_none());
     }
 }
 
@@ -89,14 +89,8 @@ fn a_chain_fed_against_a_wall_meets_it_where_it_is() {
         turn: Vector3::zeros(),
         shift: Vector3::new(100.0, 0.0, 0.0),
     };
-    let task = |reach| Task {
-        chain: &chain,
-        parts: &[EVERYWHERE],
-        solid: &wall,
-        motion: &motion,
-        reach,
-        tolerance: TOLERANCE,
-    };
+    let parts = Parts::whole(&chain);
+    let task = |reach| Task { parts: &parts, solid: &wall, motion: &motion, reach, tolerance: TOLERANCE };
     // Its front is 30 mm before the middle of a wall of 2 mm, and a wire of 3 mm reaches 1.5 mm ahead: 27.5 mm to go.
     let contact = first_contact(&task(1.5)).expect("the wall is in the way");
     assert!((contact.time - 0.275).abs() < 1e-4 && contact.piece == 0 && contact.along < 1e-6, "{contact:?}");
@@ -112,8 +106,7 @@ fn a_chain_without_pieces_meets_nothing() {
     for points in [vec![], vec![Point3::origin()]] {
         let chain = Chain::new(points);
         let task = Task {
-            chain: &chain,
-            parts: &[EVERYWHERE],
+            parts: &Parts::whole(&chain),
             solid: &solid,
             motion: &motion,
             reach: 1.0,

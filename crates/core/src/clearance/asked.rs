@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use wirebend_collide::{Chain, Interval, Proximity, Task, first_contact};
+use wirebend_collide::{Parts, Proximity, Task, first_contact};
 
 use super::body::{Body, MovesWith};
 use super::centreline::Centreline;
@@ -64,7 +64,7 @@ pub(super) struct Asked<'a> {
     /// How far things have to stay from each other.
     margin: Length,
     /// What counts of the wire, for each question that has come up.
-    counting: Vec<(Phase, Touch, Vec<Interval>)>,
+    counting: Vec<(Phase, Touch, Parts<'a>)>,
     /// The shapes of a wire that hangs, by what it depends on how it does.
     shapes: Vec<([f64; 5], Vec<Slice>)>,
 }
@@ -129,11 +129,10 @@ impl<'a> Asked<'a> {
             Obstacle::Body(index) => clearance.rooms[index],
             Obstacle::Stock => Rooms::new(body, clearance.bodies),
         };
-        let asks = |this: &Self, strokes: &[Stroke], chain: &Chain, spread: f64| {
+        let asks = |this: &Self, strokes: &[Stroke], parts: &Parts, spread: f64| {
             let seen = Seen::new(strokes, body, &rooms, clearance.bodies)?;
             let near = ask(&Task {
-                chain,
-                parts: &this.counting[parts].2,
+                parts,
                 solid: &body.solid,
                 motion: &seen,
                 reach: this.reach() + spread,
@@ -142,9 +141,8 @@ impl<'a> Asked<'a> {
             let (stroke, time) = seen.stroke_at(near.time);
             Some((*stroke, Proximity { time, ..near }))
         };
-        let chain = &clearance.centreline.chain;
         let Some(hanging) = &clearance.hanging else {
-            if let Some(answer) = asks(self, strokes, chain, 0.0) {
+            if let Some(answer) = asks(self, strokes, &self.counting[parts].2, 0.0) {
                 let _ = take(answer);
             }
             return;
@@ -152,7 +150,8 @@ impl<'a> Asked<'a> {
         for stroke in strokes {
             let shapes = self.shapes(hanging, stroke);
             for slice in &self.shapes[shapes].1 {
-                let Some((_, near)) = asks(self, &[slice.of(stroke)], &slice.chain, slice.spread) else {
+                let parts = Parts::of(&slice.chain, self.counting[parts].2.intervals().to_vec());
+                let Some((_, near)) = asks(self, &[slice.of(stroke)], &parts, slice.spread) else {
                     continue;
                 };
                 if take((*stroke, Proximity { time: slice.time(near.time), ..near })).is_break() {
@@ -179,6 +178,7 @@ impl<'a> Asked<'a> {
         let known = self.counting.iter().position(|(of, how, _)| (*of, *how) == (phase, touch));
         known.unwrap_or_else(|| {
             let parts = clearance.passed.counting(step, phase, touch, out);
+            let parts = Parts::of(&clearance.centreline.chain, parts);
             self.counting.push((phase, touch, parts));
             self.counting.len() - 1
         })
