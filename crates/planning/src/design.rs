@@ -253,9 +253,8 @@ impl DesignInput {
             return Err(PlanningError::Settled { name, inputs, instead });
         }
         let mut notes: Vec<NoteReport> = imported.notes.iter().map(NoteReport::from).collect();
-        let program = imported
-            .program
-            .map(|program| ReadProgram::new(program, self.program, self.weld_mm, imported.format));
+        let program =
+            imported.program.map(|program| ReadProgram::new(program, self.program, imported.format));
         notes.extend(program.as_ref().and_then(ReadProgram::assumed));
         let curves = imported.curves.zip(edges).map(|(facts, edges)| {
             let report = CurvesReport::new(&facts, &edges);

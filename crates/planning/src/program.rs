@@ -7,6 +7,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::bend::Step;
+use wirebend_core::units::Length;
 use wirebend_core::wireframe::VertexId;
 use wirebend_driver_host::api;
 use wirebend_error::ErrorRemedy;
@@ -57,7 +58,8 @@ pub enum Known {
 pub struct ReadProgram {
     pub steps: Vec<Step>,
     pub order: Vec<VertexId>,
-    pub weld_mm: f64,
+    /// So near corners of it are one.
+    pub weld: Length,
     pub known: Known,
     /// The format that it is in, where the file itself says that it is what a machine was told: one whose programs are in that format.
     pub told_in: Option<&'static str>,
@@ -67,7 +69,7 @@ pub struct ReadProgram {
 
 impl ReadProgram {
     /// `kind`: what a person says that its steps are.
-    pub fn new(program: ImportedProgram, kind: Option<ProgramKind>, weld_mm: f64, format: Format) -> Self {
+    pub fn new(program: ImportedProgram, kind: Option<ProgramKind>, format: Format) -> Self {
         let told_in = format.written_as().filter(|_| kind.is_none() && program.told);
         let known = match kind {
             Some(ProgramKind::Nominal) => Known::Design,
@@ -77,8 +79,8 @@ impl ReadProgram {
             None if format == Format::Lra => Known::Design,
             None => Known::Assumed,
         };
-        let ImportedProgram { program, traversal, machine, .. } = program;
-        Self { steps: program.steps, order: traversal, weld_mm, known, told_in, machine }
+        let ImportedProgram { program, traversal, machine, weld, .. } = program;
+        Self { steps: program.steps, order: traversal, weld, known, told_in, machine }
     }
 
     /// The steps as commands in canonical signs, for a machine with these signs.

@@ -77,9 +77,8 @@ impl Opened {
             material: setup.material_id().to_owned(),
         })?;
         let path = replay(Frame::default(), &steps);
-        let weld = crate::design::length(InputName::Weld, program.weld_mm)?;
         let (wireframe, order) =
-            wireframe_of_path(&path, weld).map_err(|_| PlanningError::OtherCompensation {
+            wireframe_of_path(&path, program.weld).map_err(|_| PlanningError::OtherCompensation {
                 name: self.name.clone(),
                 step: 1,
                 machine: setup.machine_id().to_owned(),

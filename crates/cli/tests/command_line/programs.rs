@@ -159,3 +159,39 @@ fn a_gltf_with_its_buffer_beside_it_is_imported() {
     let piped = run_in(folder.path(), &["import", "-", "--from", "gltf"], json.as_bytes()).ended(3).err;
     assert!(piped.contains("part.bin") && piped.contains("open the file itself"), "{piped}");
 }
+
+/// Figures with three decimals lead past the vertices to which the wire comes back, the farther the longer it is.
+#[test]
+fn what_is_exported_is_read_back_with_the_same_vertices_and_edges() {
+    let folder = tempfile::tempdir().unwrap();
+    let closed = |name: &str, sides: u32, side: f64| {
+        let turn = std::f64::consts::TAU / f64::from(sides);
+        let radius = side / 2.0 / (turn / 2.0).sin();
+        let corner = |k| (radius * (turn * f64::from(k)).cos(), radius * (turn * f64::from(k)).sin());
+        let corners: Vec<String> =
+            (0..sides).map(corner).map(|(x, y)| format!("v {x:.9} {y:.9} 0\n")).collect();
+        let walk: Vec<String> = (0..=sides).map(|k| format!("{}", k % sides + 1)).collect();
+        std::fs::write(folder.path().join(name), format!("{}l {}\n", corners.concat(), walk.join(" ")))
+            .unwrap();
+        name.to_owned()
+    };
+    let square = closed("square.obj", 4, 60.0);
+    let pentagon = closed("pentagon.obj", 5, 314.0);
+    let [cup, bunny] = ["cup-holder.obj", "bunny.obj"].map(example);
+    for (design, reading, more, machine, file) in [
+        (&square, ["--units", "mm"].as_slice(), [].as_slice(), "wirebend-kit", "a.txt"),
+        (&pentagon, &["--units", "mm"], &[], "wirebend-kit", "b.txt"),
+        (&pentagon, &["--units", "mm"], &[], "table-bender", "b.csv"),
+        (&cup, &[], &["--double"], "wirebend-kit", "c.txt"),
+        (&bunny, &["--face-edges"], &["--double"], "table-bender", "d.csv"),
+    ] {
+        let counts = |arguments: &[&str]| {
+            let arguments = [arguments, &["-o", "read.wirebend", "--force", "--json"]].concat();
+            let report = run_in(folder.path(), &arguments, b"").ended(0).json();
+            ["vertices", "edges"].map(|what| report[what].as_u64().unwrap())
+        };
+        run_in(folder.path(), &[&["export", design, "-m", machine, "-o", file], reading, more].concat(), b"");
+        let designed = counts(&[&["import", design], reading].concat());
+        assert_eq!(counts(&["import", file, "-m", machine]), designed, "{design} by {machine}");
+    }
+}

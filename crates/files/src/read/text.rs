@@ -10,6 +10,13 @@ pub(crate) use crate::limit::LIMIT;
 /// The most parts that blocks, uses and components may bring in: a few lines of a file can ask for any number.
 const LIMIT_WITHIN: usize = 250_000;
 
+/// What the last digit of a number stands for: 0.01 where it has two decimals, behind a point or a comma.
+pub(crate) fn last_place(number: &str) -> f64 {
+    let behind = number.split_once(['.', ',']).map_or("", |(_, behind)| behind);
+    let decimals = behind.bytes().take_while(u8::is_ascii_digit).count();
+    0.1_f64.powi(i32::try_from(decimals).unwrap_or(0))
+}
+
 /// A file's name, for errors, and the errors that readers have in common.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Source<'a> {

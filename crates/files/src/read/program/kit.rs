@@ -10,7 +10,7 @@ use super::super::format::Format;
 use super::super::note::{NoteKind, Notes};
 use super::super::options::ReadOptions;
 use super::super::text::{Source, decode, lines};
-use super::{Commands, angle_of, feed_of, finish};
+use super::{Commands, finish};
 
 /// Reads a program; `options.convention` says how its machine counts the axes.
 pub(in crate::read) fn read(
@@ -29,9 +29,9 @@ pub(in crate::read) fn read(
         source.room(Location::Line(line), commands.len(), "steps")?;
         match *words.as_slice() {
             [] => {}
-            ["F" | "f", value] => commands.feed(line, feed_of(source, line, value, factor)?),
-            ["R" | "r", value] => commands.rotate(line, angle_of(source, line, value)?),
-            ["B" | "b", value] => commands.bend(line, angle_of(source, line, value)?),
+            ["F" | "f", value] => commands.read_feed(source, line, value, factor)?,
+            ["R" | "r", value] => commands.read_angle(source, line, value, Commands::rotate)?,
+            ["B" | "b", value] => commands.read_angle(source, line, value, Commands::bend)?,
             _ => {
                 let remedy = ErrorRemedy::CorrectFile;
                 return Err(source.syntax(Location::Line(line), command, "F, R or B and one number", remedy));
@@ -39,7 +39,6 @@ pub(in crate::read) fn read(
         }
     }
     let told = commands.told();
-    let (steps, lines) = commands.finish(&mut notes);
-    let steps = steps.into_iter().map(|step| options.convention.apply(step)).collect();
-    finish(Format::Kit, source, options, (steps, &lines), told, notes)
+    let steps = commands.finish(&mut notes).counted(options.convention);
+    finish(Format::Kit, source, options, steps, told, notes)
 }

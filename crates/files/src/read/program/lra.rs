@@ -18,7 +18,7 @@ use super::super::options::{Handedness, ReadOptions};
 use super::super::table::Table;
 use super::super::table::columns::Columns;
 use super::super::text::{Source, decode};
-use super::finish;
+use super::{Rounding, Written, finish};
 
 const CORRECT: ErrorRemedy = ErrorRemedy::CorrectFile;
 
@@ -90,7 +90,10 @@ pub(in crate::read) fn read(
         lines.push(table.rows[row].0);
     }
     notes.add(NoteKind::HandednessAssumed, usize::from(handedness.is_none() && turns));
-    finish(Format::Lra, source, options, (steps, &lines), false, notes)
+    // Each corner is off by what the straight part and the arcs beside it are.
+    let Factors { length, radius, twist, angle } = digits;
+    let rounding = Rounding { length_mm: length.hypot(radius), angle_deg: twist.max(angle) };
+    finish(Format::Lra, source, options, Written { steps, lines, rounding }, false, notes)
 }
 
 /// What a row needs to be read.

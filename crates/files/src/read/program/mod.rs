@@ -4,21 +4,23 @@ pub(super) mod kit;
 pub(super) mod lra;
 pub(super) mod moves;
 pub(super) mod pensa;
+mod rounding;
 
 use std::collections::BTreeSet;
 
 use nalgebra::Point3;
-use wirebend_core::bend::{Frame, NominalProgram, Step, replay};
+use wirebend_core::bend::{Convention, Frame, NominalProgram, Step, replay};
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{Vertex, VertexId, Welder, Wireframe, WireframeError};
 use wirebend_error::ErrorRemedy;
 
+pub(crate) use self::rounding::Rounding;
 use super::Imported;
 use super::error::{Location, MOST_BEND_DEG, ReadError};
 use super::format::Format;
 use super::note::{NoteKind, Notes};
 use super::options::ReadOptions;
-use super::text::Source;
+use super::text::{Source, last_place};
 
 /// A program as its file wrote it, and the path that it makes.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,6 +38,8 @@ pub struct ImportedProgram {
     pub told: bool,
     /// Id of the machine that it is of, where its file says so: then it is in canonical signs.
     pub machine: Option<String>,
+    /// So near corners of it are one: as was asked for, or as far as rounded figures miss.
+    pub weld: Length,
 }
 
 /// Whether a comment is the first line of what drivers write for a machine: the hash of the design.
@@ -93,6 +97,16 @@ pub(crate) struct Commands {
     fed: bool,
     /// As [`ImportedProgram::told`].
     told: bool,
+    rounding: Option<Rounding>,
+}
+
+/// The steps of a program, the line of each, and how its figures are rounded.
+#[derive(Debug, Default)]
+pub(crate) struct Written {
+    pub(crate) steps: Vec<Step>,
+    /// None where the file has none.
+    pub(crate) lines: Vec<usize>,
+    pub(crate) rounding: Rounding,
 }
 
 impl Commands {
@@ -127,6 +141,34 @@ impl Commands {
         self.close();
     }
 
+    /// A feed as it is written, in mm after `factor`.
+    pub(crate) fn read_feed(
+        &mut self,
+        source: Source<'_>,
+        line: usize,
+        word: &str,
+        factor: f64,
+    ) -> Result<(), ReadError> {
+        self.feed(line, feed_of(source, line, word, factor)?);
+        let rounding = self.rounding.get_or_insert(COARSE);
+        rounding.length_mm = rounding.length_mm.min(last_place(word) * factor);
+        Ok(())
+    }
+
+    /// A rotation or a bend as it is written, in degrees.
+    pub(crate) fn read_angle(
+        &mut self,
+        source: Source<'_>,
+        line: usize,
+        word: &str,
+        take: fn(&mut Self, usize, Angle),
+    ) -> Result<(), ReadError> {
+        take(self, line, angle_of(source, line, word)?);
+        let rounding = self.rounding.get_or_insert(COARSE);
+        rounding.angle_deg = rounding.angle_deg.min(last_place(word));
+        Ok(())
+    }
+
     pub(crate) fn len(&self) -> usize {
         self.steps.len()
     }
@@ -142,7 +184,7 @@ impl Commands {
     }
 
     /// The steps and the line of each. A rotation that no bend follows is dropped and counted.
-    pub(crate) fn finish(mut self, notes: &mut Notes) -> (Vec<Step>, Vec<usize>) {
+    pub(crate) fn finish(mut self, notes: &mut Notes) -> Written {
         if self.step.rotate != Angle::ZERO {
             notes.add(NoteKind::RotationsUnused, 1);
             self.step.rotate = Angle::ZERO;
@@ -150,12 +192,23 @@ impl Commands {
         if self.fed {
             self.close();
         }
-        (self.steps, self.lines)
+        Written { steps: self.steps, lines: self.lines, rounding: self.rounding.unwrap_or_default() }
     }
 }
 
+impl Written {
+    /// The same in our signs, from those of a machine.
+    fn counted(self, convention: Convention) -> Self {
+        let steps = self.steps.into_iter().map(|step| convention.apply(step)).collect();
+        Self { steps, ..self }
+    }
+}
+
+/// Coarser than any last digit.
+const COARSE: Rounding = Rounding { length_mm: f64::INFINITY, angle_deg: f64::INFINITY };
+
 /// A feed of 0 or more, in mm after `factor`.
-pub(crate) fn feed_of(source: Source<'_>, line: usize, word: &str, factor: f64) -> Result<Length, ReadError> {
+fn feed_of(source: Source<'_>, line: usize, word: &str, factor: f64) -> Result<Length, ReadError> {
     let value = source.number(line, word)?;
     let refuse = || {
         let remedy = ErrorRemedy::CorrectFile;
@@ -168,17 +221,17 @@ pub(crate) fn feed_of(source: Source<'_>, line: usize, word: &str, factor: f64) 
 }
 
 /// An angle, from degrees.
-pub(crate) fn angle_of(source: Source<'_>, line: usize, word: &str) -> Result<Angle, ReadError> {
+fn angle_of(source: Source<'_>, line: usize, word: &str) -> Result<Angle, ReadError> {
     let value = source.number(line, word)?;
     Ok(Angle::from_deg(value).unwrap_or_default())
 }
 
-/// Replays steps and makes the wireframe; `lines` are those of the steps.
+/// Replays steps and makes the wireframe.
 pub(crate) fn finish(
     format: Format,
     source: Source<'_>,
     options: &ReadOptions,
-    (steps, lines): (Vec<Step>, &[usize]),
+    Written { steps, lines, rounding }: Written,
     told: bool,
     mut notes: Notes,
 ) -> Result<Imported, ReadError> {
@@ -199,7 +252,11 @@ pub(crate) fn finish(
         notes.add(NoteKind::EndsOnBend, 1);
     }
     let path = replay(Frame::default(), &steps);
-    let (wireframe, traversal) = wireframe_of_path(&path, options.weld).map_err(|(point, error)| {
+    // Rounded figures lead past the corners to which they come back, unless a person says what is one.
+    let misses = Length::from_mm(rounding.misses(&path)).unwrap_or_default();
+    let weld =
+        if options.weld == ReadOptions::default().weld { options.weld.max(misses) } else { options.weld };
+    let (wireframe, traversal) = wireframe_of_path(&path, weld).map_err(|(point, error)| {
         let line = lines.get(point.saturating_sub(1)).copied();
         let place = line.map_or(Location::Item("point", point), Location::Line);
         ReadError::Wireframe { file: source.name.to_owned(), place, error }
@@ -207,8 +264,14 @@ pub(crate) fn finish(
     notes.add(NoteKind::VerticesMerged, path.len().saturating_sub(wireframe.vertex_count()));
     let merged = (traversal.len().saturating_sub(1)).saturating_sub(wireframe.edge_count());
     notes.add(NoteKind::EdgesMerged, merged);
-    let program =
-        ImportedProgram { program: NominalProgram::from_steps(steps), path, traversal, told, machine: None };
+    let program = ImportedProgram {
+        program: NominalProgram::from_steps(steps),
+        path,
+        traversal,
+        told,
+        machine: None,
+        weld,
+    };
     Ok(Imported {
         format,
         wireframe,

@@ -15,7 +15,7 @@ use super::super::json;
 use super::super::note::{NoteKind, Notes};
 use super::super::options::ReadOptions;
 use super::super::text::Source;
-use super::finish;
+use super::{Written, finish};
 
 const FORMAT: &str = "wbmoves";
 /// The newest version that is known.
@@ -78,7 +78,8 @@ pub(in crate::read) fn read(
     if fed_mm > 0.0 {
         steps.push(step(fed_mm, 0.0, 0.0, &mut notes));
     }
-    let mut imported = finish(Format::Moves, source, options, (steps, &[]), true, notes)?;
+    let mut imported =
+        finish(Format::Moves, source, options, Written { steps, ..Written::default() }, true, notes)?;
     if let Some(program) = &mut imported.program {
         program.machine = Some(read.machine);
     }

@@ -12,7 +12,7 @@ use super::super::format::Format;
 use super::super::note::{NoteKind, Notes};
 use super::super::options::ReadOptions;
 use super::super::text::{Source, decode, lines};
-use super::{Commands, angle_of, feed_of, finish};
+use super::{Commands, finish};
 
 /// Whether a word is a command of the script.
 pub(in crate::read) fn is_command(word: &str) -> bool {
@@ -39,9 +39,9 @@ pub(in crate::read) fn read(
         let command = words.first().map(|word| word.to_ascii_uppercase()).unwrap_or_default();
         match (command.as_str(), words.as_slice()) {
             (_, []) => {}
-            ("FEED", [_, value]) => commands.feed(line, feed_of(source, line, value, factor)?),
-            ("ROTATE", [_, value]) => commands.rotate(line, angle_of(source, line, value)?),
-            ("BEND", [_, value]) => commands.bend(line, angle_of(source, line, value)?),
+            ("FEED", [_, value]) => commands.read_feed(source, line, value, factor)?,
+            ("ROTATE", [_, value]) => commands.read_angle(source, line, value, Commands::rotate)?,
+            ("BEND", [_, value]) => commands.read_angle(source, line, value, Commands::bend)?,
             ("PINZ", [_, value]) if value.parse::<f64>().is_ok() => {
                 notes.add(NoteKind::PinsIgnored, 1);
             }
@@ -53,9 +53,8 @@ pub(in crate::read) fn read(
         }
     }
     let told = commands.told();
-    let (steps, lines) = commands.finish(&mut notes);
-    let steps = steps.into_iter().map(|step| options.convention.apply(step)).collect();
-    finish(Format::Pensa, source, options, (steps, &lines), told, notes)
+    let steps = commands.finish(&mut notes).counted(options.convention);
+    finish(Format::Pensa, source, options, steps, told, notes)
 }
 
 /// A line without what is in parentheses, and that.

@@ -11,7 +11,7 @@ use wirebend_error::ErrorRemedy;
 
 use super::error::{Location, ReadError};
 use super::options::{Handedness, LengthUnit, ReadOptions};
-use super::text::{Source, lines};
+use super::text::{Source, last_place, lines};
 
 /// Rows of cells. Separators are `;`, tab, `,` or blanks, in this order of preference, and cells may stand in quotes; the decimal mark
 /// may be a comma where the separator is `;` or tab, and in quotes. Lines that start with `#` are comments.
@@ -148,11 +148,7 @@ impl<'a> Table<'a> {
     /// What the last digit of a column stands for: 0.01 where its numbers have up to two decimals.
     pub(crate) fn last_place(&self, column: usize) -> f64 {
         let cells = self.rows.iter().filter_map(|(_, row)| row.get(column));
-        let decimals = cells.map(|cell| {
-            let behind = cell.split_once(['.', ',']).map_or("", |(_, behind)| behind);
-            behind.bytes().take_while(u8::is_ascii_digit).count()
-        });
-        0.1_f64.powi(decimals.max().and_then(|max| i32::try_from(max).ok()).unwrap_or(0))
+        cells.map(|cell| self::last_place(cell)).reduce(f64::min).unwrap_or(1.0)
     }
 
     /// The line of a row, for errors.
