@@ -4,6 +4,9 @@
 //! one is run decides how far the head turns, whether its cable winds up, and to which side the
 //! peg pushes.
 
+mod standing;
+
+use self::standing::standing;
 use crate::bend::{NominalProgram, Step};
 use crate::units::Angle;
 
@@ -56,6 +59,20 @@ struct BendChoice {
     from: usize,
 }
 
+/// Whether a bend can be made to its own side and to the other.
+type Sides = [bool; 2];
+
+/// Whether a bend can be made so, or not at all.
+fn is_side_made(sides: Sides, flipped: bool) -> bool {
+    sides[usize::from(flipped)] || !sides[usize::from(!flipped)]
+}
+
+impl BendChoice {
+    fn is_made(self, sides: Sides) -> bool {
+        is_side_made(sides, self.flipped)
+    }
+}
+
 /// Nanoseconds that a bend takes to its own side and to the other.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BendCost {
@@ -77,6 +94,7 @@ impl BendCost {
 
 /// Chooses for every bend its sign and the winding of the head, so that the head stays within its
 /// limits and the time is least; no other choice is faster (dynamic programming over all of them).
+/// The first bend is made with the head at zero, unless a later one can be made only where it is not.
 ///
 /// `bend_seconds` tells how long a signed bend takes, or `None` where it cannot be made to that
 /// side; such a bend is only chosen where the other side cannot make it either, and it is for
@@ -96,18 +114,34 @@ pub fn schedule(
     }
     let costs: Vec<BendCost> =
         bends.iter().map(|&step| BendCost::new(program.steps[step].bend, &bend_seconds)).collect();
+    let sides: Vec<Sides> = bends
+        .iter()
+        .map(|&step| program.steps[step].bend)
+        .map(|bend| [bend, -bend].map(|bend| bend_seconds(bend).is_some()))
+        .collect();
+    let is_made =
+        |choices: &[BendChoice]| choices.iter().zip(&sides).all(|(choice, sides)| choice.is_made(*sides));
     // The wire is round: before the first bend it has no side, so that bend is made with the head at
     // zero, to either side.
     let mut best: Option<(i64, Vec<BendChoice>)> = None;
     let mut refused = None;
     for flipped in [false, true] {
-        match fastest(program, &bends, &costs, limits, flipped) {
+        let unflipped = if flipped { Angle::HALF_TURN } else { Angle::ZERO };
+        match fastest(program, &bends, &costs, limits, (unflipped, vec![(Angle::ZERO, flipped)])) {
             Ok((spent, choices)) if best.as_ref().is_none_or(|(cost, _)| spent < *cost) => {
                 best = Some((spent, choices));
             }
             Ok(_) => {}
             Err(error) => refused = Some(error),
         }
+    }
+    if best.as_ref().is_none_or(|(_, choices)| !is_made(choices))
+        && let Some(unflipped) = standing(program, &bends, &sides, limits)
+    {
+        let mut ways = head_angles(unflipped, limits);
+        ways.retain(|&(_, flipped)| is_side_made(sides[0], flipped));
+        let elsewhere = fastest(program, &bends, &costs, limits, (unflipped, ways));
+        best = elsewhere.ok().filter(|(_, choices)| is_made(choices)).or(best);
     }
     match (best, refused) {
         (Some((_, choices)), _) => {
@@ -124,23 +158,24 @@ fn unturned(program: &NominalProgram) -> ScheduledProgram {
     ScheduledProgram { steps: program.steps.clone(), head: vec![Angle::ZERO; program.steps.len()] }
 }
 
+/// `first`: the head's angle for a first bend that is not flipped, up to whole turns, and the ways to make that bend. Afterwards rotations
+/// of steps that bend nothing count towards the next bend.
 fn fastest(
     program: &NominalProgram,
     bends: &[usize],
     costs: &[BendCost],
     limits: &HeadLimits,
-    first_flipped: bool,
+    (mut unflipped, first): (Angle, Vec<(Angle, bool)>),
 ) -> Result<(i64, Vec<BendChoice>), RotationOutOfRange> {
     let mut layers: Vec<Vec<BendChoice>> = Vec::with_capacity(bends.len());
-    layers.push(vec![BendChoice {
-        head: Angle::ZERO,
-        flipped: first_flipped,
-        spent: costs[0].of(first_flipped),
+    let turning = |turn: Angle| nanoseconds(turn.abs().deg() * limits.seconds_per_degree);
+    let begin = |(head, flipped): (Angle, bool)| BendChoice {
+        head,
+        flipped,
+        spent: turning(head).saturating_add(costs[0].of(flipped)),
         from: 0,
-    }]);
-    // The head's angle for a bend that is not flipped, up to whole turns. Rotations of steps that bend
-    // nothing count towards the next bend.
-    let mut unflipped = if first_flipped { Angle::HALF_TURN } else { Angle::ZERO };
+    };
+    layers.push(first.into_iter().map(begin).collect());
     for (pair, cost) in bends.windows(2).zip(&costs[1..]) {
         let turned: Angle = program.steps[pair[0] + 1..=pair[1]].iter().map(|step| step.rotate).sum();
         unflipped = (unflipped + turned).wrapped();
@@ -148,8 +183,7 @@ fn fastest(
         for (head, flipped) in head_angles(unflipped, limits) {
             let made = cost.of(flipped);
             let reach = |before: &BendChoice| {
-                let turn = nanoseconds((head - before.head).abs().deg() * limits.seconds_per_degree);
-                before.spent.saturating_add(turn).saturating_add(made)
+                before.spent.saturating_add(turning(head - before.head)).saturating_add(made)
             };
             let last = layers[layers.len() - 1].iter().enumerate();
             if let Some((spent, from)) = last.map(|(k, choice)| (reach(choice), k)).min() {

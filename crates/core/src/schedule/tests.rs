@@ -118,7 +118,11 @@ proptest! {
         let cost = |bend: Angle| Some(if bend > Angle::ZERO { 1.0 } else { 1.0 + flip_cost });
         let found = schedule(&nominal, &limits(min, max), cost).ok();
         let tried = min_by_trying(&turns, min, max, flip_cost);
-        prop_assert_eq!(found.is_some(), tried.is_some());
+        prop_assert!(found.is_some() || tried.is_none());
+        // What cannot be made with the head at zero first is made with it elsewhere, or not at all.
+        if let (Some(scheduled), None) = (&found, tried) {
+            prop_assert!(scheduled.head[0] != Angle::ZERO);
+        }
         if let (Some(scheduled), Some(tried)) = (found, tried) {
             let bends: f64 = scheduled.steps.iter().filter(|s| s.bend != Angle::ZERO).filter_map(|s| cost(s.bend)).sum();
             prop_assert!((head_travel(&scheduled) + bends - tried).abs() < 1e-5);
@@ -137,6 +141,48 @@ proptest! {
             for (a, b) in wanted.iter().zip(&made) {
                 prop_assert!((a - b).norm() < 1e-9);
             }
+        }
+    }
+}
+
+/// Its head has half a turn: from zero it would have to bend twice to the side to which it cannot.
+#[test]
+fn the_head_turns_before_the_first_bend_where_a_later_one_needs_it() {
+    let wire = program(&[(0.0, 90.0), (120.0, 80.0), (-5.0, 70.0), (-115.0, 85.0)]);
+    let one_sided = |bend: Angle| (bend > Angle::ZERO).then_some(1.0);
+    let scheduled = schedule(&wire, &limits(-90.0, 90.0), one_sided).unwrap();
+    assert!(scheduled.steps.iter().all(|step| step.bend >= Angle::ZERO));
+    // -30 is the least turn with which the second bend is within 90.
+    let heads: Vec<f64> = scheduled.head.iter().map(|head| head.deg().round()).collect();
+    assert_eq!(heads, [-30.0, 90.0, 85.0, -30.0, -30.0]);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    /// Where any angle of the head for the first bend makes all of them possible, they are made.
+    #[test]
+    fn what_can_be_bent_from_any_first_angle_is(
+        turns in prop::collection::vec((-180.0..180.0_f64, 20.0..90.0_f64), 2..6),
+        (least, span, both) in (-170.0..0.0_f64, 0.0..300.0_f64, prop::bool::ANY),
+    ) {
+        let (most, wire) = ((least + span).max(0.0), program(&turns));
+        let makes = |bend: Angle| (both || bend > Angle::ZERO).then_some(1.0);
+        let mut follows = vec![0.0];
+        for &(turn, _) in &turns[1..] {
+            follows.push(follows[follows.len() - 1] + turn);
+        }
+        let reached = |at: f64| {
+            let ways = [0.0, 180.0].into_iter().take(if both { 2 } else { 1 });
+            let head = |way: f64, whole: i32| (at + way).rem_euclid(360.0) - 360.0 * f64::from(whole);
+            ways.flat_map(|way| [0, 1].map(|whole| head(way, whole))).any(|head| head >= least && head <= most)
+        };
+        let any = (0..720).map(|half| f64::from(half) / 2.0).find(|first| follows.iter().all(|turn| reached(first + turn)));
+        let scheduled = schedule(&wire, &limits(least, most), makes);
+        if let Some(first) = any {
+            let scheduled = scheduled.map_err(|error| TestCaseError::fail(format!("{error}, but from {first}")))?;
+            prop_assert!(scheduled.steps.iter().all(|step| both || step.bend >= Angle::ZERO), "from {first}");
+            prop_assert!(scheduled.head.iter().all(|head| head.deg() >= least - 1e-6 && head.deg() <= most + 1e-6));
         }
     }
 }
