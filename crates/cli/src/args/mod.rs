@@ -168,10 +168,10 @@ pub(crate) enum Subcommands {
         #[arg(long, value_name = "PROFILE")]
         noise: Option<String>,
         /// How often to bend the wire
-        #[arg(long, value_name = "N", default_value_t = 200)]
+        #[arg(long, value_name = "N", default_value_t = 200, requires = "noise")]
         runs: u32,
         /// Where the random numbers start; the same seed gives the same wires
-        #[arg(long, value_name = "S", default_value_t = 1)]
+        #[arg(long, value_name = "S", default_value_t = 1, requires = "noise")]
         seed: u64,
         /// Say how exact a machine must be so that each vertex, taken by itself, is this close to its place in 95 % of the wires, mm
         #[arg(long, value_name = "MM", allow_negative_numbers = true)]

@@ -129,6 +129,51 @@ pub(crate) struct ChoiceArgs {
     pub clearance: ClearanceArgs,
 }
 
+impl ReadArgs {
+    /// Those that are given.
+    pub fn given(&self) -> Vec<&'static str> {
+        let is_other = |value: f64, plain: f64| value.total_cmp(&plain).is_ne();
+        named(&[
+            ("--from", self.from.is_some()),
+            ("--scale", is_other(self.scale, 1.0)),
+            ("--units", self.units.is_some()),
+            ("--weld", is_other(self.weld, 0.001)),
+            ("--face-edges", self.face_edges),
+            ("--clr", self.clr.is_some()),
+            ("--tolerance", is_other(self.tolerance, 0.1)),
+            ("--shortest-edge", self.shortest_edge.is_some()),
+            ("--layer", !self.layers.is_empty()),
+            ("--handedness", self.handedness.is_some()),
+            ("--program", self.program.is_some()),
+        ])
+    }
+}
+
+impl ChoiceArgs {
+    /// Those that are given of how the wires run.
+    pub fn walk(&self) -> Vec<&'static str> {
+        named(&[
+            ("--double", self.double),
+            ("--detours", self.detours),
+            ("--wires", self.wires.is_some()),
+            ("--closed", self.closed),
+            ("--start", self.start.is_some()),
+            ("--reverse", self.reverse),
+            ("--keep-order", self.keep_order),
+            ("--avoid-collisions", self.avoid_collisions),
+        ])
+    }
+
+    /// Those that are given of what is looked at while a wire is bent.
+    pub fn looks(&self) -> Vec<&'static str> {
+        named(&[("--collisions", self.collisions), ("--sag", self.sag)])
+    }
+}
+
+fn named(options: &[(&'static str, bool)]) -> Vec<&'static str> {
+    options.iter().filter(|(_, given)| *given).map(|(name, _)| *name).collect()
+}
+
 /// How far the wire has to stay from what it could hit.
 #[derive(Debug, Args)]
 pub(crate) struct ClearanceArgs {
@@ -181,9 +226,14 @@ fn parse_wires(text: &str) -> Result<WireRange, String> {
 /// `wires=W,doubled=W,time=W`; what is left out costs nothing.
 fn parse_weights(text: &str) -> Result<SearchWeights, String> {
     let mut weights = SearchWeights::default();
+    let mut named: Vec<&str> = Vec::new();
     for part in text.split(',') {
         let (name, value) =
             part.split_once('=').ok_or_else(|| format!("'{part}' has no weight; {WEIGHTS}"))?;
+        if named.contains(&name.trim()) {
+            return Err(format!("'{name}' has two weights; {WEIGHTS}"));
+        }
+        named.push(name.trim());
         let weight = match name.trim() {
             "wires" => &mut weights.wire,
             "doubled" => &mut weights.doubled_mm,

@@ -8,8 +8,8 @@ use wirebend_api::{
 };
 
 use super::{choices, design, input};
-use crate::args::DesignArgs;
 use crate::args::frame::{ClosingArgs, FrameArgs, ToleranceArgs};
+use crate::args::{ChoiceArgs, DesignArgs};
 use crate::usage::WrongUse;
 
 pub(super) fn frame(args: FrameArgs) -> anyhow::Result<Command> {
@@ -23,6 +23,12 @@ pub(super) fn frame(args: FrameArgs) -> anyhow::Result<Command> {
         let words = "--closing and --faces are for joints that are closed: give --close and --errors, too";
         return Err(WrongUse(words.to_owned()).into());
     }
+    let walk = args.choices.walk();
+    if !args.close && !walk.is_empty() {
+        let words = "is for the wires whose joints are closed: give --close and --errors, too";
+        return Err(WrongUse(format!("{} {words}", walk.join(", "))).into());
+    }
+    no_looks(&args.choices)?;
     if args.seed.is_some() && args.bow.is_none() && (!args.close || args.expected) {
         let words = "--seed is for wires that are drawn and for struts that bow: give --close without --expected, or --bow";
         return Err(WrongUse(words.to_owned()).into());
@@ -60,7 +66,22 @@ pub(super) fn frame(args: FrameArgs) -> anyhow::Result<Command> {
     }))
 }
 
+/// No wire is looked at while it is bent.
+fn no_looks(choices: &ChoiceArgs) -> Result<(), WrongUse> {
+    let looks = choices.looks();
+    let words = "what happens while a wire is bent: plan or check shows it";
+    if looks.is_empty() { Ok(()) } else { Err(WrongUse(format!("{} is for {words}", looks.join(", ")))) }
+}
+
 pub(super) fn tolerance(args: ToleranceArgs) -> anyhow::Result<Command> {
+    no_looks(&args.choices)?;
+    let machine = args.choices.machine.is_some().then_some("--machine");
+    let of_wires: Vec<&str> =
+        args.read.given().into_iter().chain(machine).chain(args.choices.walk()).collect();
+    if args.continuum.is_some() && !of_wires.is_empty() {
+        let words = "says nothing of a truss by closed formulas: leave it out, or name a wireframe in place of --continuum";
+        return Err(WrongUse(format!("{} {words}", of_wires.join(", "))).into());
+    }
     let of = match (args.continuum, args.file) {
         (Some(truss), _) => ToleranceSubject::Continuum(ContinuumChoice { bow: args.bow, ..truss }),
         (None, Some(file)) => ToleranceSubject::Design(design(&DesignArgs { file, read: args.read })?),

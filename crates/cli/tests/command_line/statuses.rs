@@ -154,6 +154,9 @@ fn options_that_would_have_no_effect_are_refused() {
     run(&["export", "u.wbjob", "--material", "aluminium-6061-t6-3mm"]).ended(0);
     run(&["simulate", "u.wbjob", "--svg", "-"]).ended(2);
     run(&["simulate", "u.wbjob", "--noise", "none", "--runs", "0"]).ended(2);
+    run(&["simulate", "u.wbjob", "--seed", "4"]).ended(2);
+    run(&["plan", "u.wirebend", "-m", "wirebend-kit", "--avoid-collisions", "--weights", "wires=1,wires=2"])
+        .ended(2);
     run(&["simulate", "u.wirebend"]).ended(2);
     run(&["check", "u.wbjob", "-m", "wirebend-kit"]).ended(2);
 }
