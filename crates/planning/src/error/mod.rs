@@ -235,7 +235,9 @@ pub enum PlanningError {
     #[error("{name} is a job, which is planned already")]
     IsAJob { name: String },
     /// A program that is what a machine was told, and no machine is named.
-    #[error("{name} is a program that was compensated for a machine, and not the design")]
+    #[error(
+        "{name} is what a machine was told; how that differs from the design, only the machine's profile says"
+    )]
     Compensated {
         /// The program.
         name: String,
