@@ -120,6 +120,12 @@ fn the_layers_of_a_drawing_are_named_in_its_code_page() {
         assert_eq!(imported.wireframe.edge_count(), 1, "{page}, {wanted}");
         assert!((imported.wireframe.total_length().mm() - 1.0).abs() < 1e-12, "{page}, {wanted}");
     }
+    // A file of release 2007 with one byte that is no letter: the others are read as they are.
+    let of = String::from_utf8(drawing("ANSI_1252", ["Träger".as_bytes(), b"b"])).unwrap();
+    let modern = of.replace("9\n$DWGCODEPAGE", "9\n$ACADVER\n1\nAC1021\n9\n$DWGCODEPAGE");
+    let bytes = [modern.as_bytes(), b"\xff\n"].concat();
+    let options = ReadOptions { layers: vec!["Träger".to_owned()], ..ReadOptions::default() };
+    assert_eq!(read(&bytes, "a.dxf", None, &options).unwrap().wireframe.edge_count(), 1);
     // A page that nobody knows, and what only looks like a letter.
     for (page, layer) in [("ANSI_1361", b"a\xe4".as_slice()), ("ANSI_1252", b"a\\U+D800"), ("", b"\\U+")] {
         let imported = read(&drawing(page, [layer, b"b"]), "a.dxf", None, &ReadOptions::default());
