@@ -10,11 +10,16 @@ pub(crate) use crate::limit::LIMIT;
 /// The most parts that blocks, uses and components may bring in: a few lines of a file can ask for any number.
 const LIMIT_WITHIN: usize = 250_000;
 
+/// Beyond this power of ten nothing is a length or an angle.
+const MOST_POWER: i32 = 100;
+
 /// What the last digit of a number stands for: 0.01 where it has two decimals, behind a point or a comma.
 pub(crate) fn last_place(number: &str) -> f64 {
-    let behind = number.split_once(['.', ',']).map_or("", |(_, behind)| behind);
+    let (figure, power) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+    let behind = figure.split_once(['.', ',']).map_or("", |(_, behind)| behind);
     let decimals = behind.bytes().take_while(u8::is_ascii_digit).count();
-    0.1_f64.powi(i32::try_from(decimals).unwrap_or(0))
+    let power = power.parse().unwrap_or(0_i32).clamp(-MOST_POWER, MOST_POWER);
+    10.0_f64.powi(power - i32::try_from(decimals).unwrap_or(0).min(MOST_POWER))
 }
 
 /// A file's name, for errors, and the errors that readers have in common.
@@ -216,5 +221,19 @@ mod tests {
         assert_eq!(excerpt(" \t"), "nothing");
         assert_eq!(excerpt("a\u{7}b"), "\"a·b\"");
         assert_eq!(excerpt(&"é".repeat(50)).chars().count(), 43);
+    }
+
+    #[test]
+    fn the_last_digit_of_a_number_stands_for_this() {
+        for (number, place) in [
+            ("60", 1.0),
+            ("-1.250", 0.001),
+            ("1,5", 0.1),
+            ("1.25e-3", 1e-5),
+            ("2E2", 100.0),
+            ("1e999", 1e100),
+        ] {
+            assert!((last_place(number) / place - 1.0).abs() < 1e-9, "{number}");
+        }
     }
 }

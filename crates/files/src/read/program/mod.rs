@@ -97,7 +97,9 @@ pub(crate) struct Commands {
     fed: bool,
     /// As [`ImportedProgram::told`].
     told: bool,
-    rounding: Option<Rounding>,
+    rounding: Rounding,
+    /// What the last digit of feeds stands for, in the unit of the file.
+    place: f64,
 }
 
 /// The steps of a program, the line of each, and how its figures are rounded.
@@ -150,8 +152,10 @@ impl Commands {
         factor: f64,
     ) -> Result<(), ReadError> {
         self.feed(line, feed_of(source, line, word, factor)?);
-        let rounding = self.rounding.get_or_insert(COARSE);
-        rounding.length_mm = rounding.length_mm.min(last_place(word) * factor);
+        let place = last_place(word);
+        if self.rounding.length_mm <= 0.0 || place < self.place {
+            (self.place, self.rounding.length_mm) = (place, place * factor);
+        }
         Ok(())
     }
 
@@ -164,8 +168,8 @@ impl Commands {
         take: fn(&mut Self, usize, Angle),
     ) -> Result<(), ReadError> {
         take(self, line, angle_of(source, line, word)?);
-        let rounding = self.rounding.get_or_insert(COARSE);
-        rounding.angle_deg = rounding.angle_deg.min(last_place(word));
+        let (place, known) = (last_place(word), &mut self.rounding.angle_deg);
+        *known = if *known > 0.0 { known.min(place) } else { place };
         Ok(())
     }
 
@@ -185,6 +189,8 @@ impl Commands {
 
     /// The steps and the line of each. A rotation that no bend follows is dropped and counted.
     pub(crate) fn finish(mut self, notes: &mut Notes) -> Written {
+        // Angles that happen to be whole are no rounder than the feeds.
+        self.rounding.angle_deg = self.rounding.angle_deg.min(self.place);
         if self.step.rotate != Angle::ZERO {
             notes.add(NoteKind::RotationsUnused, 1);
             self.step.rotate = Angle::ZERO;
@@ -192,7 +198,7 @@ impl Commands {
         if self.fed {
             self.close();
         }
-        Written { steps: self.steps, lines: self.lines, rounding: self.rounding.unwrap_or_default() }
+        Written { steps: self.steps, lines: self.lines, rounding: self.rounding }
     }
 }
 
@@ -203,9 +209,6 @@ impl Written {
         Self { steps, ..self }
     }
 }
-
-/// Coarser than any last digit.
-const COARSE: Rounding = Rounding { length_mm: f64::INFINITY, angle_deg: f64::INFINITY };
 
 /// A feed of 0 or more, in mm after `factor`.
 fn feed_of(source: Source<'_>, line: usize, word: &str, factor: f64) -> Result<Length, ReadError> {
