@@ -38,7 +38,7 @@ pub struct ScheduledProgram {
 pub struct RotationOutOfRange {
     /// Index of the step, from 0.
     pub step: usize,
-    /// The angle nearest to zero at which the bend could be made.
+    /// The angle nearest to zero at which the bend could be made, with the head at zero for the first bend.
     pub wanted: Angle,
     /// The limit below.
     pub min: Angle,
@@ -94,7 +94,8 @@ impl BendCost {
 
 /// Chooses for every bend its sign and the winding of the head, so that the head stays within its
 /// limits and the time is least; no other choice is faster (dynamic programming over all of them).
-/// The first bend is made with the head at zero, unless a later one can be made only where it is not.
+/// The first bend is made with the head at zero, unless a later one can be made only where it is not: then with the head turned as little
+/// as can be, and no other choice from there is faster.
 ///
 /// `bend_seconds` tells how long a signed bend takes, or `None` where it cannot be made to that
 /// side; such a bend is only chosen where the other side cannot make it either, and it is for
@@ -140,8 +141,9 @@ pub fn schedule(
     {
         let mut ways = head_angles(unflipped, limits);
         ways.retain(|&(_, flipped)| is_side_made(sides[0], flipped));
-        let elsewhere = fastest(program, &bends, &costs, limits, (unflipped, ways));
-        best = elsewhere.ok().filter(|(_, choices)| is_made(choices)).or(best);
+        let elsewhere = || fastest(program, &bends, &costs, limits, (unflipped, ways.clone())).ok();
+        let made = (!ways.is_empty()).then(elsewhere).flatten().filter(|(_, choices)| is_made(choices));
+        best = made.or(best);
     }
     match (best, refused) {
         (Some((_, choices)), _) => {

@@ -8,8 +8,8 @@ use crate::units::Angle;
 const SLACK: f64 = 1e-8;
 const TURN: f64 = 360.0;
 
-/// Where the head stands for the first bend, if that is not flipped, so that it comes to every bend within its limits: the angle that is
-/// nearest to zero. None where no angle does.
+/// Where the head stands for a first bend that is not flipped, up to whole turns, so that it comes to every bend within its limits: where it
+/// turns least before that bend. None where no angle does.
 pub(super) fn standing(
     program: &NominalProgram,
     bends: &[usize],
@@ -19,10 +19,17 @@ pub(super) fn standing(
     let (min, max) = (limits.min.deg() - SLACK, limits.max.deg() + SLACK);
     // Each bend leaves arcs of the circle; where as many lie over each other as there are bends, all can be made.
     let mut ends: Vec<(f64, i32)> = Vec::new();
-    let mut turned = Angle::ZERO;
+    // Angles are counted from zero of the head for the first bend, to the side to which it is made.
+    let aside = if sides.first().is_some_and(|sides| is_side_made(*sides, false)) {
+        Angle::ZERO
+    } else {
+        Angle::HALF_TURN
+    };
+    let mut turned = -aside;
     let mut last = bends.first().copied().unwrap_or_default();
     for (&bend, &sides) in bends.iter().zip(sides) {
-        turned += program.steps[last + 1..=bend.max(last)].iter().map(|step| step.rotate).sum();
+        let rotated: Angle = program.steps[last + 1..=bend.max(last)].iter().map(|step| step.rotate).sum();
+        turned = (turned + rotated).wrapped();
         last = bend;
         let flips = [false, true].into_iter().filter(|&flipped| is_side_made(sides, flipped));
         let arcs = flips.flat_map(|flipped| {
@@ -36,25 +43,27 @@ pub(super) fn standing(
     // Of ends at one place those where arcs begin come first.
     ends.sort_by(|one, other| one.0.total_cmp(&other.0).then(one.1.cmp(&other.1)));
     let wanted = i32::try_from(bends.len()).ok()?;
+    // Where it does not turn at all. Half a turn is as good where the first bend can be made to both sides.
+    let both = sides.first().is_some_and(|sides| sides[0] == sides[1]);
+    let unturned = [0.0, TURN].into_iter().chain(both.then_some(TURN / 2.0));
     let mut over = 0;
-    let mut nearest: Option<f64> = None;
+    let mut nearest: Option<(f64, f64)> = None;
     for (k, &(at, end)) in ends.iter().enumerate() {
         over -= end;
         if over < wanted {
             continue;
         }
-        // From here to the next end every angle does; of the circle's lower half those near a whole turn are near zero.
+        // From here to the next end every angle does.
         let to = ends.get(k + 1).map_or(at, |next| next.0);
-        let of_place = if to >= TURN - SLACK {
-            0.0
-        } else {
-            [at, to - TURN].into_iter().min_by(|a, b| a.abs().total_cmp(&b.abs()))?
-        };
-        if nearest.is_none_or(|best| of_place.abs() < best.abs()) {
-            nearest = Some(of_place);
+        for target in unturned.clone() {
+            let angle = target.clamp(at, to);
+            let turns = (angle - target).abs();
+            if nearest.is_none_or(|(least, _)| turns < least) {
+                nearest = Some((turns, angle));
+            }
         }
     }
-    nearest.map(|degrees| Angle::computed(degrees.to_radians()))
+    nearest.map(|(_, degrees)| (Angle::computed(degrees.to_radians()) - aside).wrapped())
 }
 
 /// The angles from one to another as parts of the circle from 0 to 360.

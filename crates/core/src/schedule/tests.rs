@@ -1,5 +1,6 @@
 use super::*;
 use crate::bend::{Frame, replay};
+use crate::simulate::scheduled_start;
 use crate::units::Length;
 use proptest::prelude::*;
 
@@ -155,6 +156,12 @@ fn the_head_turns_before_the_first_bend_where_a_later_one_needs_it() {
     // -30 is the least turn with which the second bend is within 90.
     let heads: Vec<f64> = scheduled.head.iter().map(|head| head.deg().round()).collect();
     assert_eq!(heads, [-30.0, 90.0, 85.0, -30.0, -30.0]);
+    // To the other side alone it stands the same way.
+    let other_side = |bend: Angle| (bend < Angle::ZERO).then_some(1.0);
+    let mirrored = schedule(&wire, &limits(-90.0, 90.0), other_side).unwrap();
+    assert!(mirrored.steps.iter().all(|step| step.bend <= Angle::ZERO));
+    let heads: Vec<f64> = mirrored.head.iter().map(|head| head.deg().round()).collect();
+    assert_eq!(heads, [-30.0, 90.0, 85.0, -30.0, -30.0]);
 }
 
 proptest! {
@@ -183,6 +190,10 @@ proptest! {
             let scheduled = scheduled.map_err(|error| TestCaseError::fail(format!("{error}, but from {first}")))?;
             prop_assert!(scheduled.steps.iter().all(|step| both || step.bend >= Angle::ZERO), "from {first}");
             prop_assert!(scheduled.head.iter().all(|head| head.deg() >= least - 1e-6 && head.deg() <= most + 1e-6));
+            let start = scheduled_start(Frame::default(), &scheduled.steps);
+            for (a, b) in replay(Frame::default(), &wire.steps).iter().zip(&replay(start, &scheduled.steps)) {
+                prop_assert!((a - b).norm() < 1e-6);
+            }
         }
     }
 }
