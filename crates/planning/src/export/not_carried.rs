@@ -1,4 +1,4 @@
-//! What avoids collisions and has no place in a table of the design: to which side each bend is run, how far the head is turned for
+//! What avoids collisions, or brings every bend within reach of the head, and has no place in a table of the design: to which side each bend is run, how far the head is turned for
 //! it, and how the part is turned before the first bend.
 
 use wirebend_core::bend::{NominalProgram, Step};
@@ -20,23 +20,31 @@ pub(super) fn note(app: &Installation, content: &Content, chosen: &Chosen) -> Op
         return None;
     }
     let mut wires = 0;
+    let mut avoids = false;
     let mut lost = Lost::default();
     for wire in content.wires.iter().filter_map(|wire| wire.kept.as_ref()) {
         let Some((nominal, scheduled)) = steps(wire) else { continue };
+        let mut of_wire = Lost::of(&nominal.steps, &scheduled);
         if !wire.avoids_collisions && is_fastest(&content.setup, &nominal, &scheduled) {
-            continue;
+            // A machine that reads it finds the sides by itself, and begins with the head at zero.
+            of_wire = Lost { first_deg: of_wire.first_deg, ..Lost::default() };
+        } else {
+            avoids |= of_wire != Lost::default();
         }
-        let of_wire = Lost::of(&nominal.steps, &scheduled);
         wires += usize::from(of_wire != Lost::default());
         lost.add(of_wire);
     }
+    let (why, what) = if avoids {
+        ("the wire hits nothing", "hit the wire")
+    } else {
+        ("the head reaches every bend", "not reach them")
+    };
     let words = lost.words();
     (!words.is_empty()).then(|| NoteReport {
         code: "not-carried".into(),
         count: wires,
         message: format!(
-            "the program was chosen so that the wire hits nothing, and {} cannot say all of it: {}; a machine that reads it may hit \
-             the wire",
+            "the program was chosen so that {why}, and {} cannot say all of it: {}; a machine that reads it may {what}",
             chosen.id(),
             words.join(", ")
         ),

@@ -111,6 +111,13 @@ fn a_limit_of_the_head_in_the_drivers_settings_is_planned_for() {
             assert!(f64::abs(head) <= most, "{planned:#}");
         }
     }
+    // A machine that reads a table begins with the head at zero.
+    let table = home.run(&["export", &twisted, "-m", "close", "-f", "lra-csv", "-o", "a.csv", "--json"]);
+    let notes = table.ended(0).json()["notes"].to_string();
+    assert!(
+        notes.contains("so that the head reaches every bend") && notes.contains("before the first bend"),
+        "{notes}"
+    );
     let found = home.run(&["check", &twisted, "-m", "bound", "--json"]).ended(4).json();
     let [head] = said(&found, "rotation_out_of_range")[..] else { panic!("{found:#}") };
     assert!(head["limit_source"].as_str().unwrap().contains("driver setting rotate_limit_deg"), "{head}");
