@@ -165,7 +165,7 @@ appimage: package ## an AppImage besides, in target/package (fetches its runtime
 	cp target/release/bundle/appimage/*.AppImage $(PACKAGES)/
 
 # $(call together,name,one,other) does both at a time. What the first says comes at the end, and stays in target/name.log.
-together = mkdir -p target; { $(2); } > target/$(1).log 2>&1 & first=$$!; \
+together = mkdir -p target; $(2) > target/$(1).log 2>&1 & first=$$!; trap 'kill $$first 2>/dev/null; exit 130' INT TERM HUP; \
 	{ $(3); }; second=$$?; \
 	wait $$first; first=$$?; cat target/$(1).log; exit $$((first | second))
 
@@ -179,9 +179,9 @@ test: check-tools firmware-tools window-tools browser-tools fmt-check compiled u
 
 # Machines wait most of their time. What else is checked before the window gets what they leave of the processor.
 .PHONY: unit-and-spare spare
-unit-and-spare: built
+unit-and-spare: built tidy generate-check
 	@$(call together,spare,xtask/spare.sh $(MAKE) --no-print-directory XTASK='$(XTASK)' spare,$(MAKE) --no-print-directory unit)
-spare: doc-test tidy generate-check deny e2e-ready
+spare: doc-test deny e2e-ready
 
 # What checks the editor keeps one core busy at a time, and the compiler has the other.
 .PHONY: compiled ui-test

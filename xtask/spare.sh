@@ -8,5 +8,6 @@ else
 	nice -n 19 "$@" &
 fi
 command=$!
-trap 'kill -- -$command 2>/dev/null || kill $command; exit 130' INT TERM
+# An interrupt comes to whoever waits for this, and ends it.
+trap 'kill -- -$command 2>/dev/null || kill $command; exit 130' TERM HUP
 wait $command
