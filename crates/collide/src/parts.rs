@@ -12,7 +12,7 @@ pub struct Parts<'a> {
 }
 
 impl<'a> Parts<'a> {
-    /// These intervals of a chain, which are in order and apart from each other.
+    /// These intervals of a chain, which are in order and apart from each other. One that only touches an end of the chain counts nothing.
     #[must_use]
     pub fn of(chain: &'a Chain, intervals: Vec<Interval>) -> Self {
         let mut parts = Self { chain, intervals, runs: Vec::new() };

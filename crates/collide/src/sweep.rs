@@ -25,7 +25,7 @@ pub struct Task<'a> {
 }
 
 impl Task<'_> {
-    /// Whether what counts of a piece may.
+    /// Whether what counts of a piece may come as near as `reach`.
     fn piece_may_meet(&self, piece: usize, reach: f64) -> bool {
         self.parts.within(self.parts.chain().interval(piece)).any(|part| {
             let [from, to] = [part.from, part.to].map(|along| self.parts.chain().point(piece, along));
@@ -122,7 +122,7 @@ impl First<'_> {
         let task = self.task;
         let ball = task.parts.chain().ball(run);
         let mut free = task.solid.distance(&(pose * ball.centre)) - ball.radius - task.reach;
-        // As far as its centre goes, goes the ball: how it turns about that says nothing.
+        // The ball moves as far as its centre, however it turns about it.
         let mut turning = 0.0;
         if free <= task.tolerance.max(ball.radius * NEAR) {
             if let Some(halves) = task.parts.chain().halves(run) {

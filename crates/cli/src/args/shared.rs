@@ -29,7 +29,7 @@ pub(crate) struct ReadArgs {
     /// Unit of the coordinates: mm, cm, m or inch
     #[arg(long, value_name = "UNIT", value_parser = parse_unit)]
     pub units: Option<LengthUnit>,
-    /// Join vertices that are closer than this, in mm
+    /// Join vertices that are closer than this, in mm; corners of a program or a table are joined without it as far as their rounded figures miss
     #[arg(long, value_name = "TOLERANCE", default_value_t = 0.001)]
     pub weld: f64,
     /// Take the edges of faces as the wireframe
@@ -231,7 +231,7 @@ fn parse_weights(text: &str) -> Result<SearchWeights, String> {
         let (name, value) =
             part.split_once('=').ok_or_else(|| format!("'{part}' has no weight; {WEIGHTS}"))?;
         if named.contains(&name.trim()) {
-            return Err(format!("'{name}' has two weights; {WEIGHTS}"));
+            return Err(format!("'{}' has two weights; {WEIGHTS}", name.trim()));
         }
         named.push(name.trim());
         let weight = match name.trim() {

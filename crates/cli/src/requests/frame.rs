@@ -25,8 +25,8 @@ pub(super) fn frame(args: FrameArgs) -> anyhow::Result<Command> {
     }
     let walk = args.choices.walk();
     if !args.close && !walk.is_empty() {
-        let words = "is for the wires whose joints are closed: give --close and --errors, too";
-        return Err(WrongUse(format!("{} {words}", walk.join(", "))).into());
+        let words = "only with --close and --errors, for the wires whose joints are closed";
+        return Err(WrongUse(format!("{words}: {}", walk.join(", "))).into());
     }
     no_looks(&args.choices)?;
     if args.seed.is_some() && args.bow.is_none() && (!args.close || args.expected) {
@@ -69,8 +69,8 @@ pub(super) fn frame(args: FrameArgs) -> anyhow::Result<Command> {
 /// No wire is looked at while it is bent.
 fn no_looks(choices: &ChoiceArgs) -> Result<(), WrongUse> {
     let looks = choices.looks();
-    let words = "what happens while a wire is bent: plan or check shows it";
-    if looks.is_empty() { Ok(()) } else { Err(WrongUse(format!("{} is for {words}", looks.join(", ")))) }
+    let words = "wires that are bent, as plan and check show it";
+    if looks.is_empty() { Ok(()) } else { Err(WrongUse(format!("only for {words}: {}", looks.join(", ")))) }
 }
 
 pub(super) fn tolerance(args: ToleranceArgs) -> anyhow::Result<Command> {
@@ -79,8 +79,8 @@ pub(super) fn tolerance(args: ToleranceArgs) -> anyhow::Result<Command> {
     let of_wires: Vec<&str> =
         args.read.given().into_iter().chain(machine).chain(args.choices.walk()).collect();
     if args.continuum.is_some() && !of_wires.is_empty() {
-        let words = "says nothing of a truss by closed formulas: leave it out, or name a wireframe in place of --continuum";
-        return Err(WrongUse(format!("{} {words}", of_wires.join(", "))).into());
+        let words = "only with a wireframe, in place of --continuum";
+        return Err(WrongUse(format!("{words}: {}", of_wires.join(", "))).into());
     }
     let of = match (args.continuum, args.file) {
         (Some(truss), _) => ToleranceSubject::Continuum(ContinuumChoice { bow: args.bow, ..truss }),

@@ -147,6 +147,12 @@ fn a_reflector_asks_for_feeds_within_micrometres() {
     near(&both["feed_sigma_mm"], 4.168e-3, 1e-3);
     assert_eq!(both["governed_by"], "force");
     assert_eq!(require("stress=100MPa").ended(2).json()["error"]["code"], "only-lengths");
+    let of_wires = [&arguments[..], &["surface=1mm", "--weld", "1", "--double"]].concat();
+    let refused = run(&of_wires).ended(2).json()["error"]["message"].as_str().unwrap().to_owned();
+    assert!(
+        refused.contains("only with a wireframe, in place of --continuum: --weld, --double"),
+        "{refused}"
+    );
 }
 
 #[test]

@@ -175,13 +175,13 @@ fn what_is_no_frame_is_refused_by_name() {
     ran(&[&material[..], &["--gravity", "0,1"]].concat()).ended(2);
     let said = ran(&[&material[..], &["--start", "0", "--double"]].concat()).ended(2).json();
     assert!(
-        said["error"]["message"]
-            .as_str()
-            .unwrap()
-            .contains("--double, --start is for the wires whose joints are closed"),
+        said["error"]["message"].as_str().unwrap().contains(
+            "only with --close and --errors, for the wires whose joints are closed: --double, --start"
+        ),
         "{said}"
     );
-    ran(&[&material[..], &["--sag"]].concat()).ended(2);
+    let said = ran(&[&material[..], &["--sag"]].concat()).ended(2).json();
+    assert!(said["error"]["message"].as_str().unwrap().contains("only for wires that are bent"), "{said}");
     // So much that displacements are no numbers.
     for gravity in ["0,0,-1e7", "1e300,0,0"] {
         assert_eq!(code(ran(&[&material[..], &["--gravity", gravity]].concat()), 2), "value", "{gravity}");
