@@ -126,6 +126,30 @@ describe("the check for collisions", () => {
     expect([stands(), useDesign.getState().collisions?.version]).toEqual(["done", 2]);
   });
 
+  it("does not ask for a later one before the order to stop the one before is answered, which would stop it, too", async () => {
+    let stopped = () => {};
+    platform.ask.mockImplementation((ask: string) =>
+      ask === "collisions"
+        ? new Promise((resolve) => answers.push(resolve))
+        : new Promise<void>((resolve) => {
+            stopped = resolve;
+          }),
+    );
+    check();
+    await vi.advanceTimersByTimeAsync(200);
+    useDesign.setState({ version: 2 });
+    check();
+    expect(asked("stop-collisions")).toBe(1);
+    // It has ended before it is stopped.
+    await answer();
+    expect([stands(), asked("collisions")]).toEqual(["running", 1]);
+    stopped();
+    await vi.advanceTimersByTimeAsync(0);
+    expect(asked("collisions")).toBe(2);
+    await answer();
+    expect([stands(), codes()]).toEqual(["done", ["meets_machine"]]);
+  });
+
   it("says that it takes long, and is stopped by a person until they want it again", async () => {
     check();
     await vi.advanceTimersByTimeAsync(1900);

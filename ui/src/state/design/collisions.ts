@@ -93,17 +93,27 @@ function putOff(stands: Standing): void {
   useCollisions.setState({ ...NONE, stands });
 }
 
+/** Until an order to stop is answered: it would stop a question that comes before it does. */
+let stopping: Promise<unknown> | null = null;
+
 async function stop(): Promise<void> {
   // What cannot be stopped is answered some time, and the answer left aside.
-  await platform.ask("stop-collisions", {}).catch(() => {});
+  const order = platform.ask("stop-collisions", {}).catch(() => {});
+  stopping = order;
+  await order;
+  if (stopping === order) stopping = null;
 }
 
 async function lookForWanted(): Promise<void> {
   while (wanted) {
-    const { version, profiles, dragged }: Question = wanted;
-    wanted = null;
     since = performance.now();
     useCollisions.setState({ ...NONE, stands: "running" });
+    while (stopping) await stopping;
+    const question: Question | null = wanted;
+    if (!question) break;
+    const { version, profiles, dragged } = question;
+    wanted = null;
+    since = performance.now();
     const later = setTimeout(() => useCollisions.setState({ long: true }), LONG);
     let [found, problem]: [Collisions | null, string | null] = [null, null];
     try {
@@ -126,4 +136,5 @@ async function lookForWanted(): Promise<void> {
       problem,
     });
   }
+  since = null;
 }
