@@ -61,6 +61,8 @@ it("takes a length and an angle that are typed, in one step each", async () => {
   await editor.page.locator(".viewport canvas").focus();
   await press("Control+z");
   await until(() => editor.vertex(3)).toEqual(STRAND[3]);
+  // The window shows it, too: the corner is clicked on where it is now.
+  await written("80.0 mm").waitFor();
 
   await click([60, 0, 80]);
   await written("90.0°").waitFor();
