@@ -17,6 +17,11 @@ pub(crate) struct KindArgs {
     pub kind: Option<ProfileKind>,
 }
 
+/// What is not given reads a file with these.
+const SCALE: f64 = 1.0;
+const WELD_MM: f64 = 0.001;
+const TOLERANCE_MM: f64 = 0.1;
+
 /// How to read a file.
 #[derive(Debug, Args)]
 pub(crate) struct ReadArgs {
@@ -24,13 +29,13 @@ pub(crate) struct ReadArgs {
     #[arg(long, value_name = "FORMAT", value_parser = parse_format)]
     pub from: Option<Format>,
     /// Factor on all coordinates
-    #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
+    #[arg(long, value_name = "FACTOR", default_value_t = SCALE)]
     pub scale: f64,
     /// Unit of the coordinates: mm, cm, m or inch
     #[arg(long, value_name = "UNIT", value_parser = parse_unit)]
     pub units: Option<LengthUnit>,
     /// Join vertices that are closer than this, in mm; corners of a program or a table are joined without it as far as their rounded figures miss
-    #[arg(long, value_name = "TOLERANCE", default_value_t = 0.001)]
+    #[arg(long, value_name = "TOLERANCE", default_value_t = WELD_MM)]
     pub weld: f64,
     /// Take the edges of faces as the wireframe
     #[arg(long)]
@@ -39,7 +44,7 @@ pub(crate) struct ReadArgs {
     #[arg(long, value_name = "RADIUS")]
     pub clr: Option<f64>,
     /// Make curves of a drawing straight edges that are no farther from them than this, in mm
-    #[arg(long, value_name = "DISTANCE", default_value_t = 0.1)]
+    #[arg(long, value_name = "DISTANCE", default_value_t = TOLERANCE_MM)]
     pub tolerance: f64,
     /// Make no edge of a curve of a drawing shorter than this, in mm, though it may be farther from the curve; or machine: what the machine can make
     #[arg(long, value_name = "LENGTH", value_parser = parse_shortest_edge)]
@@ -135,12 +140,12 @@ impl ReadArgs {
         let is_other = |value: f64, plain: f64| value.total_cmp(&plain).is_ne();
         named(&[
             ("--from", self.from.is_some()),
-            ("--scale", is_other(self.scale, 1.0)),
+            ("--scale", is_other(self.scale, SCALE)),
             ("--units", self.units.is_some()),
-            ("--weld", is_other(self.weld, 0.001)),
+            ("--weld", is_other(self.weld, WELD_MM)),
             ("--face-edges", self.face_edges),
             ("--clr", self.clr.is_some()),
-            ("--tolerance", is_other(self.tolerance, 0.1)),
+            ("--tolerance", is_other(self.tolerance, TOLERANCE_MM)),
             ("--shortest-edge", self.shortest_edge.is_some()),
             ("--layer", !self.layers.is_empty()),
             ("--handedness", self.handedness.is_some()),

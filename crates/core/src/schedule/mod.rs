@@ -67,12 +67,6 @@ fn is_side_made(sides: Sides, flipped: bool) -> bool {
     sides[usize::from(flipped)] || !sides[usize::from(!flipped)]
 }
 
-impl BendChoice {
-    fn is_made(self, sides: Sides) -> bool {
-        is_side_made(sides, self.flipped)
-    }
-}
-
 /// Nanoseconds that a bend takes to its own side and to the other.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BendCost {
@@ -120,8 +114,9 @@ pub fn schedule(
         .map(|&step| program.steps[step].bend)
         .map(|bend| [bend, -bend].map(|bend| bend_seconds(bend).is_some()))
         .collect();
-    let is_made =
-        |choices: &[BendChoice]| choices.iter().zip(&sides).all(|(choice, sides)| choice.is_made(*sides));
+    let is_made = |choices: &[BendChoice]| {
+        choices.iter().zip(&sides).all(|(choice, sides)| is_side_made(*sides, choice.flipped))
+    };
     // The wire is round: before the first bend it has no side, so that bend is made with the head at
     // zero, to either side.
     let mut best: Option<(i64, Vec<BendChoice>)> = None;

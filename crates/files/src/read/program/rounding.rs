@@ -20,9 +20,9 @@ impl Rounding {
     /// How far a path (mm) may miss a corner to which it comes back, mm: each feed is off by up to half of its last digit, and each turn
     /// and bend moves what is farthest from it as far as its angle is off.
     pub(super) fn misses(self, path: &[Point3<f64>]) -> f64 {
-        let lengths = || path.windows(2).map(|pair| (pair[1] - pair[0]).norm());
         // Corners that follow one another are two.
-        let shortest = lengths().filter(|length| *length > 0.0).fold(f64::INFINITY, f64::min);
+        let lengths = path.windows(2).map(|pair| (pair[1] - pair[0]).norm());
+        let shortest = lengths.filter(|length| *length > 0.0).fold(f64::INFINITY, f64::min);
         let steps = u32::try_from(path.len()).map_or(f64::INFINITY, f64::from);
         let [low, high] = [Point3::inf, Point3::sup].map(|of| path.iter().copied().reduce(|a, b| of(&a, &b)));
         let across = low.zip(high).map_or(0.0, |(low, high)| (high - low).norm());
