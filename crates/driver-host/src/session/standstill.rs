@@ -79,6 +79,15 @@ impl Known {
     const fn is_simulated(&self) -> bool {
         matches!(self.without_driver, WithoutDriver::Simulated)
     }
+
+    /// The machine may move, or a stop is not confirmed yet. What was given up is not begun again by itself.
+    fn concerns(&self) -> bool {
+        let wanted = match self.standstill {
+            Some(standstill) => standstill == Standstill::Awaited,
+            None => self.moves,
+        };
+        wanted && !self.over
+    }
 }
 
 impl Guard {
@@ -167,44 +176,42 @@ impl Guard {
         }
     }
 
-    /// The driver's process is gone, or about to be. Where the machine may move, the program stops it.
+    /// The driver's process is gone, or about to be. Where the machine may move, the program stops it. Several threads notice it:
+    /// once the machine has confirmed to one of them, none asks again.
     pub fn driver_is_lost(&self) {
-        if self.concerns() {
-            self.take_over();
-        }
+        self.take_over_if(Known::concerns);
     }
 
-    /// Whether the machine has to be stopped when its driver is lost: it may move, or a stop is not confirmed yet. What
-    /// was given up is not begun again by itself.
+    /// Whether the machine has to be stopped when its driver is lost.
     pub fn concerns(&self) -> bool {
-        let known = self.lock();
-        let wanted = match known.standstill {
-            Some(standstill) => standstill == Standstill::Awaited,
-            None => known.moves,
-        };
-        wanted && !known.over
+        self.lock().concerns()
     }
 
     /// Writes the stop bytes to the port, and again until the machine confirms. Whether the system has taken them. The driver is ended
     /// before.
     pub fn take_over(&self) -> bool {
-        let (line, first) = {
-            let mut known = self.lock();
-            let Some(line) = known.line() else {
-                let ended = known.is_simulated();
-                known.moves &= !ended;
-                known.standstill = Some(if ended { Standstill::Confirmed } else { Standstill::NotConfirmed });
-                self.0.settled.notify_all();
-                return false;
-            };
-            if known.standstill != Some(Standstill::Awaited) {
-                (known.standstill, known.since) = (Some(Standstill::Awaited), Some(Instant::now()));
-            }
-            (line, !std::mem::replace(&mut known.insists, true))
+        self.take_over_if(|_| true)
+    }
+
+    fn take_over_if(&self, wanted: impl FnOnce(&Known) -> bool) -> bool {
+        let mut known = self.lock();
+        if !wanted(&known) {
+            return false;
+        }
+        let Some(line) = known.line() else {
+            let ended = known.is_simulated();
+            known.moves &= !ended;
+            known.standstill = Some(if ended { Standstill::Confirmed } else { Standstill::NotConfirmed });
+            self.0.settled.notify_all();
+            return false;
         };
-        if !first {
+        if known.standstill != Some(Standstill::Awaited) {
+            (known.standstill, known.since) = (Some(Standstill::Awaited), Some(Instant::now()));
+        }
+        if std::mem::replace(&mut known.insists, true) {
             return line.write();
         }
+        // Before anybody else writes: the reply to that would be thrown away.
         let written = line.write_first();
         let guard = self.clone();
         thread::spawn(move || guard.insist(&line));
@@ -265,3 +272,6 @@ impl Drop for SessionGuard {
         self.0.end();
     }
 }
+
+#[cfg(test)]
+mod tests;
