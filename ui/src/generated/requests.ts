@@ -18,7 +18,7 @@ export type Answer =
 /**
  * What the springback may depend on.
  */
-export type ShapeName = "constant" | "curve";
+export type ShapeName = "constant" | "moved" | "curve";
 /**
  * What a profile describes.
  */

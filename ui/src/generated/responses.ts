@@ -2562,7 +2562,11 @@ export interface CalibrationReport {
    */
   other_shape: MisfitReport | null;
   /**
-   * What the springback depends on: `constant` or `curve`; absent where no bend was measured.
+   * What the springback depends on there.
+   */
+  other_shape_name: string | null;
+  /**
+   * What the springback depends on: `constant`, `curve`, or `moved`, the curve of the profile moved by one angle; absent where no bend was measured.
    */
   shape: string | null;
 }

@@ -9,6 +9,8 @@ use wirebend_api::ShapeName;
 pub(crate) enum ShapeArg {
     /// Every bend loses the same
     Constant,
+    /// The loss is that of the profile, moved by one angle
+    Moved,
     /// The loss depends on the angle and the side
     Curve,
 }
@@ -17,6 +19,7 @@ impl From<ShapeArg> for ShapeName {
     fn from(shape: ShapeArg) -> Self {
         match shape {
             ShapeArg::Constant => Self::Constant,
+            ShapeArg::Moved => Self::Moved,
             ShapeArg::Curve => Self::Curve,
         }
     }

@@ -80,12 +80,18 @@ fn one_kind(out: &mut impl Write, kind: &KindReport, found: &CalibrationReport) 
     let rms = |misfit: &MisfitReport| format!("{:.2}{unit}", misfit.rms);
     write!(out, "  leave-one-out: {} rms", rms(&kind.leave_one_out))?;
     if let (KindName::Bends, Some(shape)) = (kind.kind, found.shape) {
-        let (this, other) = match shape {
-            "constant" => ("a constant springback", "a curve"),
-            _ => ("a curve of the springback for each side", "a constant"),
+        let this = match shape {
+            "constant" => "a constant springback",
+            "moved" => "the springback of the profile, moved by one angle",
+            _ => "a curve of the springback for each side",
         };
         write!(out, " with {this}")?;
-        if let Some(misfit) = &found.other_shape {
+        if let (Some(misfit), Some(other)) = (&found.other_shape, found.other_shape_name) {
+            let other = match other {
+                "constant" => "a constant",
+                "moved" => "that of the profile, moved",
+                _ => "a curve",
+            };
             write!(out, ", {} with {other}", rms(misfit))?;
         }
     }

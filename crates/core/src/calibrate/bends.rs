@@ -8,7 +8,7 @@ use super::fitting::{Search, hold};
 use super::least_squares::{Belief, Solution};
 use super::measured::{AngleSample, Gap, Kind, LeftOut};
 use super::screen::{Screened, bend, screen};
-use super::springback::{CURVE_NEEDS, Knots, ShapeChoice, SpringbackShape};
+use super::springback::{CURVE_NEEDS, Form, Knots, ShapeChoice, SpringbackShape};
 use super::statistics::median;
 use crate::compensate::{BendModel, PegGeometry, Springback, SpringbackPoint};
 use crate::units::{Angle, Length};
@@ -66,9 +66,9 @@ pub(super) fn believed(assumed: &Assumed, beside: &[Angle]) -> Result<KnownBends
     let model = assumed.bend_model()?;
     let told = told_beyond_zero(beside);
     let side = Side { assumed, before: &model, told: &told, held: &[] };
-    let knots = Knots::default();
-    let predict = side.predict(&knots);
-    let mut search = side.search(&knots, &predict);
+    let form = Form::Constant;
+    let predict = side.predict(&form);
+    let mut search = side.search(&form, &predict);
     if let Some((_, loss)) = search.parameters.last_mut() {
         loss.sd = STATED_LOSS_DEVIATION_DEG;
     }
@@ -155,44 +155,47 @@ pub(super) fn fit(
     let no_solution = |_| CalibrationError::NoSolution { kind: Kind::Bends };
     let side = Side { assumed, before: &before, told: &told, held };
 
+    let before_moved = Form::moved(before.springback.as_ref());
     let most = match choice {
-        ShapeChoice::Fixed(SpringbackShape::Constant) => Knots::default(),
-        _ => Knots::over(&expected).unwrap_or_default(),
+        ShapeChoice::Fixed(SpringbackShape::Constant) => Form::Constant,
+        ShapeChoice::Fixed(SpringbackShape::Moved) => before_moved.clone(),
+        _ => Knots::over(&expected).map_or_else(|| before_moved.clone(), Form::Cubic),
     };
     side.search(&most, &side.predict(&most))
         .take_out_wild(Kind::Bends, &mut screened)
         .map_err(no_solution)?;
 
-    let constant = Knots::default();
-    let cubic = Knots::over(&side.formed(&screened));
+    let cubic = Knots::over(&side.formed(&screened)).map(Form::Cubic);
     let too_few = choice == ShapeChoice::Fixed(SpringbackShape::Cubic) && cubic.is_none();
-    let choice = if too_few { ShapeChoice::Better } else { choice };
+    let forms = match choice {
+        ShapeChoice::Fixed(SpringbackShape::Constant) => vec![Form::Constant],
+        ShapeChoice::Fixed(SpringbackShape::Moved) => vec![before_moved],
+        ShapeChoice::Fixed(SpringbackShape::Cubic) if !too_few => cubic.into_iter().collect(),
+        _ => match cubic {
+            Some(cubic) => vec![Form::Constant, cubic],
+            None => vec![before_moved],
+        },
+    };
     let mut fitted = Vec::new();
-    let shapes = [(SpringbackShape::Constant, Some(constant)), (SpringbackShape::Cubic, cubic)];
-    for (shape, knots) in shapes.into_iter().filter_map(|(shape, knots)| Some((shape, knots?))) {
-        if choice != ShapeChoice::Fixed(SpringbackShape::Cubic) || shape == SpringbackShape::Cubic {
-            let (fit, solution) = {
-                let predict = side.predict(&knots);
-                let search = side.search(&knots, &predict);
-                search.fit(Kind::Bends, &screened, &commanded, &expected).map_err(no_solution)?
-            };
-            fitted.push((shape, knots, fit, solution));
-        }
-        if choice == ShapeChoice::Fixed(SpringbackShape::Constant) {
-            break;
-        }
+    for form in forms {
+        let (fit, solution) = {
+            let predict = side.predict(&form);
+            let search = side.search(&form, &predict);
+            search.fit(Kind::Bends, &screened, &commanded, &expected).map_err(no_solution)?
+        };
+        fitted.push((form, fit, solution));
     }
     // A constant is kept where a curve predicts no better what it has not seen.
-    fitted.sort_by(|a, b| a.2.leave_one_out.rms.total_cmp(&b.2.leave_one_out.rms));
+    fitted.sort_by(|a, b| a.1.leave_one_out.rms.total_cmp(&b.1.leave_one_out.rms));
     let mut fitted = fitted.into_iter();
-    let Some((shape, knots, fit, solution)) = fitted.next() else { return Ok(none(screened, given)) };
-    let other = fitted.next().map(|(shape, _, fit, _)| (shape, fit.leave_one_out));
+    let Some((form, fit, solution)) = fitted.next() else { return Ok(none(screened, given)) };
+    let other = fitted.next().map(|(form, fit, _)| (form.shape(), fit.leave_one_out));
     let mut gaps = side.gaps(&screened);
     if too_few {
         gaps.push(Gap::FewAngles { needed: CURVE_NEEDS });
     }
-    let mut fit = side.found(shape, &knots, fit, &solution, other);
-    fit.deviation_beside_deg = side.deviation(&knots, &solution, &told_beyond_zero(beside));
+    let mut fit = side.found(&form, fit, &solution, other);
+    fit.deviation_beside_deg = side.deviation(&form, &solution, &told_beyond_zero(beside));
     Ok(Outcome { fit: Some(fit), left_out: screened.left_out, gaps })
 }
 
@@ -214,17 +217,17 @@ struct Side<'a> {
 
 impl Side<'_> {
     /// Bends in degrees from the dimensions of the head, where it has a peg, and the losses.
-    fn predict(&self, knots: &Knots) -> impl Fn(&[f64]) -> Vec<f64> {
+    fn predict(&self, form: &Form) -> impl Fn(&[f64]) -> Vec<f64> {
         let dimensions = if self.assumed.peg.is_some() { 4 } else { 0 };
         move |parameters| {
             let (peg, losses) = parameters.split_at(dimensions.min(parameters.len()));
             let peg = PegDimensions::try_from(peg).ok();
-            let model = bend_model(peg, knots.springback(losses));
+            let model = bend_model(peg, form.springback(losses));
             self.told.iter().map(|told| model.result_to(told.side, told.axis).deg()).collect()
         }
     }
 
-    fn search<'s>(&self, knots: &Knots, predict: &'s dyn Fn(&[f64]) -> Vec<f64>) -> Search<'s> {
+    fn search<'s>(&self, form: &Form, predict: &'s dyn Fn(&[f64]) -> Vec<f64>) -> Search<'s> {
         let known =
             |known: KnownLength| Belief { value: known.value.mm(), sd: known.deviation.mm().max(1e-3) };
         let mut parameters = Vec::new();
@@ -241,23 +244,27 @@ impl Side<'_> {
             let bent = self.before.springback.as_ref().map_or(formed, |model| model.bend_to(formed));
             Belief { value: (bent.abs() - formed.abs()).deg(), sd: LOSS_DEVIATION_DEG }
         };
-        if knots.count() == 0 {
-            parameters.push((Parameter::Springback, loss(90.0)));
+        let at = |formed: f64| Parameter::SpringbackAt(Angle::computed(formed.to_radians()));
+        match form {
+            Form::Constant => parameters.push((Parameter::Springback, loss(90.0))),
+            Form::Moved(_) => {
+                let belief = Belief { value: 0.0, sd: LOSS_DEVIATION_DEG };
+                parameters.push((Parameter::SpringbackShift, belief));
+            }
+            Form::Cubic(Knots { positive, negative }) => {
+                let signed = positive.iter().copied().chain(negative.iter().map(|knot| -knot));
+                parameters.extend(signed.map(|formed| (at(formed), loss(formed))));
+            }
         }
-        let signed = knots.positive.iter().copied().chain(knots.negative.iter().map(|knot| -knot));
-        parameters.extend(
-            signed
-                .map(|formed| (Parameter::SpringbackAt(Angle::computed(formed.to_radians())), loss(formed))),
-        );
         let parameters = hold(parameters, self.held);
         Search { parameters, unstated: Vec::new(), predict, reading: self.assumed.angle_reading.deg() }
     }
 
     /// How far off the fitted bends of other commands may be: the largest standard deviation, degrees.
-    fn deviation(&self, knots: &Knots, solution: &Solution, told: &[Told]) -> f64 {
+    fn deviation(&self, form: &Form, solution: &Solution, told: &[Told]) -> f64 {
         let other = Side { told, ..*self };
-        let predict = other.predict(knots);
-        let problem = other.search(knots, &predict);
+        let predict = other.predict(form);
+        let problem = other.search(form, &predict);
         let slopes = problem.problem(&Screened::default()).slopes_at(&solution.parameters);
         slopes.row_iter().map(|slope| solution.deviation_along(&slope.transpose())).fold(0.0, f64::max)
     }
@@ -290,8 +297,7 @@ impl Side<'_> {
 
     fn found(
         &self,
-        shape: SpringbackShape,
-        knots: &Knots,
+        form: &Form,
         fit: Fit,
         solution: &Solution,
         other: Option<(SpringbackShape, Misfit)>,
@@ -302,15 +308,6 @@ impl Side<'_> {
             let [orbit_radius, orbit_offset, bend_radius, peg_radius] = found.map(Length::computed);
             FittedPeg { orbit_radius, orbit_offset, bend_radius, peg_radius }
         });
-        let pairs = (shape == SpringbackShape::Cubic).then(|| {
-            let (positive, negative) = losses.split_at(knots.positive.len());
-            let own = [Knots::pairs(&knots.positive, positive), Knots::pairs(&knots.negative, negative)];
-            match own {
-                [positive, negative] if positive.is_empty() => [negative.clone(), negative],
-                [positive, negative] if negative.is_empty() => [positive.clone(), positive],
-                both => both,
-            }
-        });
         let radius = self.assumed.bend_radius;
         let bend_radius = peg.map_or(radius, |peg| KnownLength {
             value: peg.bend_radius,
@@ -318,10 +315,10 @@ impl Side<'_> {
         });
         BendFit {
             fit,
-            shape,
+            shape: form.shape(),
             other,
-            springback: knots.springback(losses),
-            pairs,
+            springback: form.springback(losses),
+            pairs: form.pairs(losses),
             peg,
             bend_radius,
             deviation_beside_deg: 0.0,

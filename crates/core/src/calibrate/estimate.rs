@@ -10,6 +10,8 @@ pub enum Parameter {
     Springback,
     /// What a bend loses that stays at an angle, signed as the bend.
     SpringbackAt(Angle),
+    /// What every bend loses more than by the curve of before.
+    SpringbackShift,
     /// Radius R of the peg's orbit.
     OrbitRadius,
     /// Offset s of the orbit's centre.

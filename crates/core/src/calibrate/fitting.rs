@@ -118,9 +118,11 @@ impl Parameter {
     /// Its value from millimetres, degrees or a ratio.
     pub(super) fn figure(self, value: f64) -> Figure {
         match self {
-            Self::Springback | Self::SpringbackAt(_) | Self::RotationOffset | Self::RotationBacklash => {
-                Figure::Angle(Angle::computed(value.to_radians()))
-            }
+            Self::Springback
+            | Self::SpringbackAt(_)
+            | Self::SpringbackShift
+            | Self::RotationOffset
+            | Self::RotationBacklash => Figure::Angle(Angle::computed(value.to_radians())),
             Self::OrbitRadius | Self::OrbitOffset | Self::BendRadius | Self::PegRadius => {
                 Figure::Length(Length::computed(value))
             }

@@ -15,6 +15,8 @@ pub(super) const CURVE_NEEDS: usize = 4;
 pub enum SpringbackShape {
     /// On nothing.
     Constant,
+    /// On angle and side as before, and the same everywhere besides.
+    Moved,
     /// On angle and side: a monotone cubic through losses at a few angles of each side.
     Cubic,
 }
@@ -22,14 +24,84 @@ pub enum SpringbackShape {
 /// Which shape is fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ShapeChoice {
-    /// The one that predicts best what it has not seen.
+    /// The one that predicts best what it has not seen. Where the readings are too few for a curve, a curve that was known before is moved.
     #[default]
     Better,
     /// This one.
     Fixed(SpringbackShape),
 }
 
-/// Angles (degrees, ascending) at which the loss is a parameter, for each side. Empty: the loss is a constant.
+/// A springback of which losses are parameters.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) enum Form {
+    /// Of one: the same everywhere.
+    #[default]
+    Constant,
+    /// Of one: what is lost more than by these curves, of the positive and the negative side.
+    Moved([SpringbackCurve; 2]),
+    /// Of one at each knot.
+    Cubic(Knots),
+}
+
+impl Form {
+    /// What was known before, moved by the same angle everywhere.
+    pub fn moved(before: Option<&Springback>) -> Self {
+        match before {
+            Some(Springback::Table { positive, negative }) => {
+                Self::Moved([positive, negative].map(Clone::clone))
+            }
+            Some(Springback::Constant(_)) | None => Self::Constant,
+        }
+    }
+
+    pub const fn shape(&self) -> SpringbackShape {
+        match self {
+            Self::Constant => SpringbackShape::Constant,
+            Self::Moved(_) => SpringbackShape::Moved,
+            Self::Cubic(_) => SpringbackShape::Cubic,
+        }
+    }
+
+    /// The springback with these parameters in degrees.
+    pub fn springback(&self, parameters: &[f64]) -> Springback {
+        let first = parameters.first().copied().unwrap_or_default();
+        match self {
+            Self::Cubic(knots) => knots.springback(parameters),
+            Self::Constant => Springback::Constant(Angle::computed(first.clamp(0.0, 170.0).to_radians())),
+            Self::Moved(curves) => {
+                let [positive, negative] = curves.clone().map(|curve| {
+                    let moved = points_moved(&curve, first);
+                    // It goes up wherever it went up before.
+                    SpringbackCurve::new(&moved).unwrap_or(curve)
+                });
+                Springback::Table { positive, negative }
+            }
+        }
+    }
+
+    /// The pairs of both sides, as a profile keeps them; none of a constant.
+    pub fn pairs(&self, parameters: &[f64]) -> Option<[Vec<SpringbackPoint>; 2]> {
+        match self {
+            Self::Constant => None,
+            Self::Moved(curves) => {
+                let by = parameters.first().copied().unwrap_or_default();
+                Some(curves.each_ref().map(|curve| points_moved(curve, by)))
+            }
+            Self::Cubic(knots) => Some(knots.pairs_of_both(parameters)),
+        }
+    }
+}
+
+/// The pairs of a curve with so many degrees more lost at each; nothing loses less than nothing.
+fn points_moved(curve: &SpringbackCurve, by_deg: f64) -> Vec<SpringbackPoint> {
+    let moved = |point: SpringbackPoint| SpringbackPoint {
+        loss: Angle::computed((point.loss.deg() + by_deg).clamp(0.0, 170.0).to_radians()),
+        ..point
+    };
+    curve.points().into_iter().map(moved).collect()
+}
+
+/// Angles (degrees, ascending) at which the loss is a parameter, for each side.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Knots {
     pub positive: Vec<f64>,
@@ -56,31 +128,33 @@ impl Knots {
         (found.count() > 0).then_some(found)
     }
 
-    pub fn count(&self) -> usize {
+    fn count(&self) -> usize {
         self.positive.len() + self.negative.len()
     }
 
-    /// The springback with these losses in degrees: one for a constant, else one a knot, the positive side first. A side
-    /// without knots is as the other one.
+    /// The springback with these losses in degrees, the positive side first. A side without knots is as the other one.
     pub fn springback(&self, losses: &[f64]) -> Springback {
-        let constant = || {
-            let loss = losses.first().copied().unwrap_or_default().clamp(0.0, 170.0);
-            Springback::Constant(Angle::computed(loss.to_radians()))
-        };
-        if self.count() == 0 {
-            return constant();
-        }
         let (positive, negative) = losses.split_at(self.positive.len().min(losses.len()));
         let positive = curve(&self.positive, positive);
         let negative = curve(&self.negative, negative);
         match (positive.clone().or_else(|| negative.clone()), negative.or(positive)) {
             (Some(positive), Some(negative)) => Springback::Table { positive, negative },
-            _ => constant(),
+            _ => Springback::Constant(Angle::ZERO),
+        }
+    }
+
+    /// The pairs of both sides.
+    fn pairs_of_both(&self, losses: &[f64]) -> [Vec<SpringbackPoint>; 2] {
+        let (positive, negative) = losses.split_at(self.positive.len().min(losses.len()));
+        match [Self::pairs(&self.positive, positive), Self::pairs(&self.negative, negative)] {
+            [positive, negative] if positive.is_empty() => [negative.clone(), negative],
+            [positive, negative] if negative.is_empty() => [positive.clone(), positive],
+            both => both,
         }
     }
 
     /// The pairs of one side, as a profile keeps them: formed angle and loss.
-    pub fn pairs(knots: &[f64], losses: &[f64]) -> Vec<SpringbackPoint> {
+    fn pairs(knots: &[f64], losses: &[f64]) -> Vec<SpringbackPoint> {
         let cubic = MonotoneCubic::through(knots, losses);
         let (Some(first), Some(last)) = (knots.first(), knots.last()) else { return Vec::new() };
         let mut formed = vec![*first];

@@ -73,6 +73,16 @@ impl SpringbackCurve {
         Ok(Self { knots })
     }
 
+    /// Its pairs, in ascending order.
+    #[must_use]
+    pub fn points(&self) -> Vec<SpringbackPoint> {
+        let point = |&[formed, bent]: &[f64; 2]| SpringbackPoint {
+            formed: Angle::computed(formed),
+            loss: Angle::computed(bent - formed),
+        };
+        self.knots.iter().map(point).collect()
+    }
+
     /// The angle to bend to for an angle to be left; both not negative, radians.
     fn bend_to(&self, formed: f64) -> f64 {
         self.along(formed, |[formed, bent]| [formed, bent])

@@ -18,6 +18,8 @@ use crate::{Installation, PlanningError, Progress};
 pub enum ShapeName {
     /// On nothing.
     Constant,
+    /// As in the profile, and the same everywhere besides.
+    Moved,
     /// On the angle, for each side.
     Curve,
 }
@@ -53,6 +55,7 @@ impl Installation {
         let choice = match shape {
             None => ShapeChoice::Better,
             Some(ShapeName::Constant) => ShapeChoice::Fixed(SpringbackShape::Constant),
+            Some(ShapeName::Moved) => ShapeChoice::Fixed(SpringbackShape::Moved),
             Some(ShapeName::Curve) => ShapeChoice::Fixed(SpringbackShape::Cubic),
         };
         let found = settled(&setup.assumed()?, &of_sheet.measured, choice)?;

@@ -111,10 +111,12 @@ pub struct CalibrationReport {
     pub machine: String,
     pub material: String,
     pub kinds: Vec<KindReport>,
-    /// What the springback depends on: `constant` or `curve`; absent where no bend was measured.
+    /// What the springback depends on: `constant`, `curve`, or `moved`, the curve of the profile moved by one angle; absent where no bend was measured.
     pub shape: Option<&'static str>,
     /// The error by leave-one-out of the other shape, degrees, where it can be fitted.
     pub other_shape: Option<MisfitReport>,
+    /// What the springback depends on there.
+    pub other_shape_name: Option<&'static str>,
     pub left_out: Vec<LeftOutReport>,
     /// What was found and cannot be, so that readings are wrong.
     pub doubts: Vec<String>,
@@ -144,13 +146,15 @@ impl CalibrationReport {
                 message: words::left_out(left),
             }
         });
+        let other = bends.and_then(|bends| bends.other);
         let turns_stay = found.turns.as_ref().and_then(|turns| turns_stay(&turns.fit));
         Self {
             machine: machine.to_owned(),
             material: material.to_owned(),
             kinds: fits.into_iter().filter_map(|(kind, fit)| Some(kind_report(kind, fit?, sheet))).collect(),
             shape: bends.map(|bends| shape(bends.shape)),
-            other_shape: bends.and_then(|bends| bends.other).map(|(_, misfit)| misfit.into()),
+            other_shape: other.map(|(_, misfit)| misfit.into()),
+            other_shape_name: other.map(|(name, _)| shape(name)),
             left_out: left_out.collect(),
             doubts: Vec::new(),
             gaps: found.gaps.iter().map(words::gap).chain(turns_stay.map(words::turns_stay)).collect(),
@@ -161,6 +165,7 @@ impl CalibrationReport {
 fn shape(shape: SpringbackShape) -> &'static str {
     match shape {
         SpringbackShape::Constant => "constant",
+        SpringbackShape::Moved => "moved",
         SpringbackShape::Cubic => "curve",
     }
 }

@@ -100,6 +100,10 @@ impl Values<'_> {
             values.push(("k_factor", self.figure(feeds.k_factor, k, feeds.fit.readings)));
         }
         let Some(bends) = self.fitted.found.bends.as_ref() else { return values };
+        let moved = estimate(&bends.fit, Parameter::SpringbackShift);
+        if moved.is_some_and(Estimate::is_left) {
+            return values;
+        }
         let springback = match (&bends.pairs, changed(&bends.fit, Parameter::Springback)) {
             (Some([positive, negative]), _) => {
                 let (n, scatter) = (bends.fit.readings, bends.fit.scatter.plain());

@@ -10,6 +10,7 @@ pub fn parameter(parameter: Parameter) -> String {
     match parameter {
         Parameter::Springback => "springback".to_owned(),
         Parameter::SpringbackAt(angle) => format!("springback at {angle:.0}"),
+        Parameter::SpringbackShift => "springback above the profile's curve".to_owned(),
         Parameter::OrbitRadius => "orbit radius R".to_owned(),
         Parameter::OrbitOffset => "orbit offset s".to_owned(),
         Parameter::BendRadius => "centreline radius of a bend".to_owned(),

@@ -56,7 +56,15 @@ impl Shop {
         BendModel { springback: Some(springback), ..machine(self.dimensions, 0.0) }
     }
 
-    fn truth(&self, parameter: Parameter) -> f64 {
+    /// How much more it loses than a springback says, on average.
+    fn loses_more_than(&self, known: &Springback) -> f64 {
+        let signed = || ANGLES.into_iter().flat_map(|angle| [angle, -angle]);
+        let more =
+            signed().map(|angle| self.loss(angle) - (known.bend_to(deg(angle)) - deg(angle)).deg().abs());
+        more.sum::<f64>() / statistics::count(signed().count())
+    }
+
+    fn truth(&self, parameter: Parameter, before: &Assumed) -> f64 {
         let [orbit_radius, orbit_offset, bend_radius, peg_radius] = self.dimensions;
         match parameter {
             Parameter::OrbitRadius => orbit_radius,
@@ -66,6 +74,7 @@ impl Shop {
             // Of a loss that grows: what a right angle loses.
             Parameter::Springback => self.loss(90.0),
             Parameter::SpringbackAt(formed) => self.loss(formed.deg()),
+            Parameter::SpringbackShift => self.loses_more_than(before.springback.as_ref().unwrap()),
             Parameter::KFactor => self.k_factor,
             Parameter::FeedScale => self.scale,
             Parameter::RotationOffset => self.offset,
@@ -137,10 +146,12 @@ fn tally(times: usize, measure: impl Fn(&Shop, &mut Normals) -> Option<Measureme
                 break (shop, measured);
             }
         };
-        let mut found = calibrate(&published(), &measured, ShapeChoice::Better).unwrap();
+        let mut before = published();
+        let mut found = calibrate(&before, &measured, ShapeChoice::Better).unwrap();
         for _ in 1..times {
             let measured = measure(&shop, &mut random).expect("as before");
-            found = calibrate(&known_by(&found), &measured, ShapeChoice::Better).unwrap();
+            before = known_by(&found);
+            found = calibrate(&before, &measured, ShapeChoice::Better).unwrap();
         }
         let mut stated = Vec::new();
         for (kind, fit) in [
@@ -154,7 +165,7 @@ fn tally(times: usize, measure: impl Fn(&Shop, &mut Normals) -> Option<Measureme
                     Parameter::SpringbackAt(_) => format!("{kind}: SpringbackAt"),
                     parameter => format!("{kind}: {parameter:?}"),
                 };
-                stated.push((name, covers(estimate, shop.truth(estimate.parameter))));
+                stated.push((name, covers(estimate, shop.truth(estimate.parameter, &before))));
             }
         }
         stated

@@ -1,6 +1,7 @@
 //! Without scatter, what readings tell is found exactly; with it, what is commanded next comes out right.
 
 use super::*;
+use crate::compensate::{SpringbackCurve, SpringbackPoint};
 
 const ANGLES: [f64; 10] = [15.0, 30.0, 45.0, 60.0, 75.0, 90.0, 105.0, 120.0, 130.0, 140.0];
 
@@ -104,4 +105,43 @@ fn the_play_of_the_head_shows_in_turns_that_reverse() {
     let turns = found.turns.unwrap();
     // 90 + 0.4; -90 + 0.4 + 1.5; 90 + 0.4 - 1.5.
     assert!((turns.offset_deg - 0.4).abs() < 0.02 && (turns.backlash_deg - 1.5).abs() < 0.02, "{turns:?}");
+}
+
+/// A wire that was measured well, and then is bent hard once: three angles tell no curve, and a constant would forget the one that is known.
+#[test]
+fn a_known_curve_is_kept_where_the_readings_tell_no_other() {
+    let pair = |formed, loss| SpringbackPoint { formed: deg(formed), loss: deg(loss) };
+    let curve = |more: f64| {
+        let pairs = [(10.0, 3.0), (60.0, 6.0), (100.0, 9.5), (135.0, 14.0)];
+        SpringbackCurve::new(&pairs.map(|(formed, loss)| pair(formed, loss + more))).unwrap()
+    };
+    let springback =
+        |more: [f64; 2]| Springback::Table { positive: curve(more[0]), negative: curve(more[1]) };
+    let mut assumed = published();
+    assumed.springback = Some(springback([0.0, 0.5]));
+    let truth =
+        BendModel { springback: Some(springback([1.5, 2.0])), ..machine([20.4, 12.0, 3.0, 4.675], 0.0) };
+    let asked = assumed.bend_model().unwrap();
+    for angles in [&[90.0][..], &[30.0, 90.0], &[-45.0, 30.0, 120.0]] {
+        let sample = |&angle: &f64| {
+            let axis = asked.command(deg(angle)).unwrap();
+            AngleSample::beyond_zero(axis, vec![Some(truth.result(axis)); 3])
+        };
+        let measured =
+            Measurements { angles: angles.iter().map(sample).collect(), ..Measurements::default() };
+        let bends = settled(&assumed, &measured, ShapeChoice::Better).unwrap().bends.unwrap();
+        assert_eq!(bends.shape, SpringbackShape::Moved);
+        let shift = estimate(&bends.fit, Parameter::SpringbackShift);
+        assert!((shift.value.plain() - 1.5).abs() < 0.05, "{angles:?}: {shift:?}");
+        let off = |model: &BendModel| {
+            let made = |angle: f64| (truth.result(model.command(deg(angle)).unwrap()).deg() - angle).abs();
+            (-13..=13).filter(|tens| *tens != 0).map(|tens| made(10.0 * f64::from(tens))).fold(0.0, f64::max)
+        };
+        let constant = settled(&assumed, &measured, ShapeChoice::Fixed(SpringbackShape::Constant)).unwrap();
+        let constant = constant.bends.unwrap().model(None);
+        let moved = bends.model(None);
+        assert!(off(&moved) < 0.1 && off(&constant) > 2.0, "{angles:?}: {} {}", off(&moved), off(&constant));
+        let [positive, negative] = bends.pairs.unwrap();
+        assert_eq!((positive.len(), negative.len()), (4, 4), "a profile keeps the pairs that it has");
+    }
 }

@@ -39,7 +39,16 @@ beforeEach(async () => {
       return { sheet: "/c/sheet.csv", machine: "kit", material: "wire", rows: [row()], jobs: [] };
     if (name === "calibrate-enter") readings = [Number(request.readings?.[0]?.split("=")[1])];
     if (name === "calibrate-fit")
-      return { machine: "", material: "", kinds: [], shape: null, other_shape: null, left_out: [], gaps: [] };
+      return {
+        machine: "",
+        material: "",
+        kinds: [],
+        shape: null,
+        other_shape: null,
+        other_shape_name: null,
+        left_out: [],
+        gaps: [],
+      };
     if (name === "apply-calibration")
       return {
         machine: "my-kit",

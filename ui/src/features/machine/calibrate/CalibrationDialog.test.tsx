@@ -39,6 +39,7 @@ beforeEach(() => {
         kinds: [],
         shape: null,
         other_shape: null,
+        other_shape_name: null,
         left_out: leftOut,
         doubts: [],
         gaps: [],

@@ -8,6 +8,13 @@ import { chooseShape, type SpringbackShape, useCalibration } from "../../../stat
 import { residualsOf } from "./residuals";
 import { figure, KINDS, off, summary } from "./words";
 
+/** What the springback may be. */
+const SHAPES: Readonly<Record<string, string>> = {
+  constant: "one angle",
+  moved: "the profile's curve, moved",
+  curve: "a curve",
+};
+
 /** What the readings tell, how well, and what they do not tell. */
 export function Fit() {
   const { report, shape, gap } = useCalibration();
@@ -31,10 +38,11 @@ export function Fit() {
           />
           <span className="muted small">
             {/* Beside the choice, which keeps its width. */}
-            {shape === "better" && report.shape && (report.shape === "curve" ? "a curve: " : "one angle: ")}
+            {shape === "better" && report.shape && `${SHAPES[report.shape] ?? report.shape}: `}
             for an angle that it has not seen it is {off(bends.leave_one_out.rms, "deg", unit)} off
             {report.other_shape &&
-              `, ${off(report.other_shape.rms, "deg", unit)} as ${report.shape === "curve" ? "one angle" : "a curve"}`}
+              report.other_shape_name &&
+              `, ${off(report.other_shape.rms, "deg", unit)} as ${SHAPES[report.other_shape_name] ?? report.other_shape_name}`}
           </span>
         </div>
       )}
