@@ -54,6 +54,36 @@ fn the_bunny_vibrates_as_another_program_says() {
     }
 }
 
+/// A clamped wire of 200 mm against Euler's beam, whose modes are (βL)²/(2π) √(EI/(ρAL⁴)) and come in pairs: where the pieces are too coarse
+/// for that the note says so, and with as many as it names all are right.
+#[test]
+fn modes_that_need_more_pieces_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("wire.obj");
+    std::fs::write(&file, "v 0 0 0\nv 200 0 0\nl 1 2\n").unwrap();
+    let beam: [f64; 6] = [1.875_104, 4.694_091, 7.854_757, 10.995_541, 14.137_168, 17.278_760];
+    let of = |pieces: &str| {
+        let rest = ["--units", "mm", "--material", "steel-1mm", "--supports", "0", "--modes", "12", "--json"];
+        frame(file.to_str().unwrap(), &[&rest[..], &["--pieces", pieces]].concat()).ended(0).json()
+    };
+    let off = |found: &Value, k: usize| {
+        let frequency = |mode: usize| found["modes"][mode]["frequency_hz"].as_f64().unwrap();
+        frequency(2 * k) / frequency(0) / (beam[k] / beam[0]).powi(2) - 1.0
+    };
+    let coarse = of("4");
+    let note = &coarse["notes"][0];
+    assert_eq!((note["code"].as_str(), note["count"].as_u64()), (Some("coarse-pieces"), Some(8)));
+    assert!(off(&coarse, 5) > 0.05, "{}", off(&coarse, 5));
+    let said = note["message"].as_str().unwrap();
+    let needed = said.split(": ").nth(1).unwrap().split(' ').next().unwrap();
+    let fine = of(needed);
+    assert_eq!(fine["notes"].as_array().unwrap().len(), 0, "{fine}");
+    for k in 0..6 {
+        // Shear takes a little.
+        assert!(off(&fine, k).abs() < 0.01, "mode {k}: {}", off(&fine, k));
+    }
+}
+
 /// An L of 100 + 100 mm, clamped at one end, with a joint at the other. The figures are those of a finite element program that was written
 /// for this in numpy, four elements a strut.
 #[test]

@@ -194,6 +194,7 @@ fn compute(
     going_on(progress)?;
     progress.stage("looking for modes");
     let (modes, mode_shapes) = structure.modes(request.modes, request.pieces, drawn)?;
+    notes.extend(structure.too_coarse(&modes, request.pieces));
     timings.took("modes");
     let bowed = match request.bow {
         Some(bow) => {

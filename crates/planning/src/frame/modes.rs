@@ -1,22 +1,26 @@
 //! How a frame vibrates.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_accuracy::bows;
-use wirebend_error::InputName;
+use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_frame::{Assembly, MemberId, Mode, ModeKind, ModeSearch, Model, NodeMass, Pieces};
 
 use super::shapes::StrutShape;
 use super::structure::Structure;
 use crate::PlanningError;
+use crate::report::NoteReport;
 
 /// The search begins at this share of the frequency of the longest strut between pins.
 const BELOW: f64 = 0.2;
 
 /// Fewer chords of an arc would be stiffer than it is.
 const LEAST_OF_AN_ARC: u32 = 9;
+
+/// A frequency that is by more than this share too high is told.
+const TOO_FAST: f64 = 0.01;
 
 /// At most so far do struts bow: half a circle.
 const LARGEST_BOW: f64 = 0.5;
@@ -166,12 +170,40 @@ impl Structure {
 
     /// Where the search begins: well below the frequency of the longest strut between pins, π/2 √(E I/(ρ A L⁴)).
     fn shift_hz(&self) -> f64 {
+        BELOW * FRAC_PI_2 * self.slowest_per_s()
+    }
+
+    /// The least √(E I/(ρ A L⁴)) of a strut, which its frequencies are multiples of.
+    fn slowest_per_s(&self) -> f64 {
         let members = (0..self.assembly.model().members.len()).map(MemberId);
-        let lowest = members.map(|member| {
+        let of_struts = members.map(|member| {
             let (section, length) = (self.assembly.section(member), self.assembly.length(member));
             let mass = section.density * section.area * length.powi(4);
-            FRAC_PI_2 * (section.e * section.iy / mass).sqrt()
+            (section.e * section.iy / mass).sqrt()
         });
-        BELOW * lowest.fold(f64::INFINITY, f64::min)
+        of_struts.fold(f64::INFINITY, f64::min)
+    }
+
+    /// From which mode on struts would have to be cut into more pieces, and into how many for all modes. A beam whose waves of motion have
+    /// the wave number β comes out too fast by (β h)⁴/1440 where its pieces are h long: that is what its cubic shapes leave, with their
+    /// own masses, as h goes to zero.
+    pub fn too_coarse(&self, modes: &[ModeReport], pieces: u32) -> Option<NoteReport> {
+        let slowest = self.slowest_per_s();
+        // (β L)² = ω √(ρ A L⁴/(E I)).
+        let turned = |mode: &ModeReport| TAU * mode.frequency_hz / slowest;
+        let off = |mode: &ModeReport| turned(mode).powi(2) / (1440.0 * f64::from(pieces).powi(4));
+        let first = modes.iter().position(|mode| off(mode) > TOO_FAST)?;
+        let worst = modes.iter().map(off).fold(0.0, f64::max);
+        let needed = (f64::from(pieces) * (worst / TOO_FAST).powf(0.25)).ceil();
+        Some(NoteReport {
+            code: "coarse-pieces".into(),
+            count: modes.len() - first,
+            message: format!(
+                "from mode {} on frequencies may be more than {:.0} % too high: {needed:.0} pieces for each strut are enough for all modes",
+                first + 1,
+                100.0 * TOO_FAST,
+            ),
+            remedies: vec![ErrorRemedy::CorrectInput { input: InputName::Pieces }],
+        })
     }
 }
