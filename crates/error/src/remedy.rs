@@ -97,6 +97,12 @@ pub enum ErrorRemedy {
         known: Vec<String>,
     },
 
+    /// Take one of the load cases of a file.
+    ChooseLoadCase {
+        /// All.
+        known: Vec<String>,
+    },
+
     // Edits
     /// Give a length that an edge can have.
     EnterLength,

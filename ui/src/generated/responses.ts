@@ -175,6 +175,13 @@ export type ErrorRemedy =
       remedy: "choose-known";
     }
   | {
+      /**
+       * All.
+       */
+      known: string[];
+      remedy: "choose-load-case";
+    }
+  | {
       remedy: "enter-length";
     }
   | {

@@ -96,6 +96,7 @@ const REMEDIES: { readonly [K in Kind]: (remedy: Extract<ErrorRemedy, { remedy: 
   "leave-out": ({ inputs }) => `Leave out ${inputs.map((input) => INPUTS[input]).join(", ")}.`,
   "choose-known": ({ near, known }) =>
     near.length > 0 ? `Did you mean ${near.join(" or ")}?` : oneOf(known, "There is none yet."),
+  "choose-load-case": ({ known }) => `Choose one of its load cases: ${known.join(", ")}.`,
   "enter-length": () => "Type a length of more than 0.",
   "enter-angle": () => "Type an angle of more than 0° and at most 180°.",
   "select-two-edges": () => "Select the two edges that the angle is between.",

@@ -52,6 +52,7 @@ fn one(remedy: &ErrorRemedy) -> String {
             format!("leave out {}", options.join(", "))
         }
         R::ChooseKnown { near, known } => choice(near, known),
+        R::ChooseLoadCase { known } => format!("name one with --load-case: {}", known.join(", ")),
         R::FreeVertex => "free the support, or remove the joint, first".to_owned(),
         R::UseRadius { radius } => format!("use a radius of {radius}, the nearest that can be made"),
         R::CutByHand => "leave out --cut, and cut each piece off by hand".to_owned(),

@@ -51,6 +51,8 @@ pub enum NoteKind {
     PolylineClosed,
     /// A bend radius of zero.
     RadiusAssumed,
+    /// The caller's bend radius, of a table that needs none.
+    RadiusUnused,
     /// Nothing says which way the rotations of a table turn.
     HandednessAssumed,
     /// A table says that its rotations turn the other way.
@@ -116,6 +118,8 @@ pub struct Note {
 const ENDS_ON_BEND: &str = "the program ends on a bend that no feed follows: it makes no edge, so that a plan leaves it out; the program \
     itself, when it is run, makes it";
 
+const HANDEDNESS_ASSUMED: &str = "nothing says which way rotations turn: taken by the right-hand rule along the wire; the table of a left-handed machine gives the mirror image";
+
 impl NoteKind {
     /// A name that does not change with the wording.
     #[must_use]
@@ -144,6 +148,7 @@ impl NoteKind {
             Self::ColumnsIgnored => "columns-ignored",
             Self::PolylineClosed => "polyline-closed",
             Self::RadiusAssumed => "radius-assumed",
+            Self::RadiusUnused => "radius-unused",
             Self::HandednessAssumed => "handedness-assumed",
             Self::LeftHanded => "left-handed",
             Self::EndsOnBend => "ends-on-bend",
@@ -178,6 +183,7 @@ impl NoteKind {
     #[must_use]
     pub fn remedies(self) -> Vec<ErrorRemedy> {
         match self {
+            Self::RadiusUnused => vec![ErrorRemedy::LeaveOut { inputs: vec![InputName::CentrelineRadius] }],
             Self::RadiusAssumed => vec![ErrorRemedy::CorrectInput { input: InputName::CentrelineRadius }],
             Self::HandednessAssumed => vec![ErrorRemedy::CorrectInput { input: InputName::Handedness }],
             _ => Vec::new(),
@@ -221,11 +227,9 @@ impl NoteKind {
             Self::HeaderSkipped => ("the first row is a header", ""),
             Self::ColumnsIgnored => ("column ignored", "columns ignored"),
             Self::PolylineClosed => ("the last point repeats the first: the polyline is closed", ""),
+            Self::RadiusUnused => ("your bend radius was not used: the table has what it would be for", ""),
             Self::RadiusAssumed => ("no bend radius given: lengths are taken from corner to corner", ""),
-            Self::HandednessAssumed => (
-                "nothing says which way rotations turn: taken by the right-hand rule along the wire; the table of a left-handed machine gives the mirror image",
-                "",
-            ),
+            Self::HandednessAssumed => (HANDEDNESS_ASSUMED, ""),
             Self::LeftHanded => ("the table is left-handed: its rotations are turned the other way", ""),
             Self::EndsOnBend => (ENDS_ON_BEND, ""),
             Self::NegativeAngles => (

@@ -35,9 +35,8 @@ impl PlanningError {
             | Self::SequenceFile { .. } => vec![R::CorrectFile],
             Self::ShippedProfile { .. } => vec![R::CopyProfile],
             Self::NothingToRevert { .. } => vec![R::CorrectInput { input: InputName::ProfileKeys }],
-            Self::NoMaterial { known } | Self::LoadCase { known, .. } => {
-                vec![R::ChooseKnown { near: Vec::new(), known: known.clone() }]
-            }
+            Self::NoMaterial { known } => vec![R::ChooseKnown { near: Vec::new(), known: known.clone() }],
+            Self::LoadCase { known, .. } => vec![R::ChooseLoadCase { known: known.clone() }],
             Self::NoShearModulus { .. } => vec![R::AddKey { text: SHEAR_MODULUS.to_owned() }],
             Self::NoWalks { .. } => vec![R::LeaveOut { inputs: vec![InputName::GroupBy] }],
             Self::OtherDesign { error, .. } => error.remedies(),

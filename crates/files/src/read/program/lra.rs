@@ -89,6 +89,7 @@ pub(in crate::read) fn read(
         steps.push(options.convention.apply(step));
         lines.push(table.rows[row].0);
     }
+    notes.add(NoteKind::RadiusUnused, usize::from(options.clr.is_some() && !before.needed_radius));
     notes.add(NoteKind::HandednessAssumed, usize::from(handedness.is_none() && turns));
     // Each corner is off by what the straight part and the arcs beside it are.
     let Factors { length, radius, twist, angle } = digits;
@@ -142,13 +143,15 @@ struct Before {
     end_mm: f64,
     /// From the start of the wire, in a table of absolute rotations.
     turned_deg: f64,
+    /// Whether a bend had none of its own and took the caller's radius.
+    needed_radius: bool,
 }
 
 impl Rows<'_> {
     fn step(&self, row: usize, before: &mut Before, notes: &mut Notes) -> Result<Step, ReadError> {
         let bend = self.value(row, self.columns.angle)?.unwrap_or(0.0) * self.factors.angle;
         notes.add(NoteKind::NegativeAngles, usize::from(bend < 0.0));
-        let arc = self.arc(row, bend, notes)?;
+        let arc = self.arc(row, bend, (before, notes))?;
         let length_mm = self.length_mm(row, before)?;
         before.end_mm += arc.length_mm();
         let feed = Length::from_mm(length_mm + before.arc.tangent_mm() + arc.tangent_mm())
@@ -158,13 +161,21 @@ impl Rows<'_> {
         Ok(Step { feed, rotate, bend: Angle::from_deg(bend).unwrap_or_default() })
     }
 
-    fn arc(&self, row: usize, bend_deg: f64, notes: &mut Notes) -> Result<Arc, ReadError> {
+    fn arc(
+        &self,
+        row: usize,
+        bend_deg: f64,
+        (before, notes): (&mut Before, &mut Notes),
+    ) -> Result<Arc, ReadError> {
         if bend_deg == 0.0 || self.columns.corners {
             return Ok(Arc::default());
         }
         let radius_mm = match (self.value(row, self.columns.radius)?, self.options.clr) {
             (Some(radius), _) => radius * self.factors.radius,
-            (None, Some(radius)) => radius.mm(),
+            (None, Some(radius)) => {
+                before.needed_radius = true;
+                radius.mm()
+            }
             (None, None) => {
                 notes.add(NoteKind::RadiusAssumed, 1);
                 0.0

@@ -152,6 +152,21 @@ fn each_column_is_in_the_unit_that_it_names() {
     assert!(imported.notes.iter().any(|note| note.kind == NoteKind::UnitsOverridden), "{:?}", imported.notes);
 }
 
+/// A radius is for bends that have none of their own.
+#[test]
+fn a_radius_that_no_bend_needs_is_noted() {
+    let options = ReadOptions { clr: Some(mm(5.0)), ..ReadOptions::default() };
+    for (table, unused) in [
+        ("L,R,A,CLR\n30,0,90,3\n40,0,45,3\n30\n", true),
+        ("L,R,A,CLR\n30,0,90,3\n40,0,45,\n30\n", false),
+        ("L,R,A\n30,0,90\n30\n", false),
+    ] {
+        let imported = read(table.as_bytes(), "table.csv", None, &options).unwrap();
+        let noted = imported.notes.iter().any(|note| note.kind == NoteKind::RadiusUnused);
+        assert_eq!(noted, unused, "{table}: {:?}", imported.notes);
+    }
+}
+
 /// A machine whose dial counts the other way has 360° less each rotation.
 #[test]
 fn a_dial_that_counts_the_other_way_needs_the_convention() {
