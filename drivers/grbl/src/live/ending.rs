@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use wirebend_driver_api::{DriverError, Event, PausedBy};
 
-use super::interrupted::{InterruptedStep, StoppedBy};
+use super::interrupted::StoppedBy;
 use super::phase::{Phase, Reset};
 use super::protocol::Protocol;
 use super::status::State;
@@ -132,7 +132,8 @@ impl Protocol {
             | Phase::Console(_)
             | Phase::Running(_) => {
                 self.fault(error);
-                self.interrupt(StoppedBy::FeedHold);
+                // What it has done of the lines is not what it was sent: a position says nothing of the wire.
+                self.interrupt(StoppedBy::Fault);
                 self.stream.clear();
                 self.send_realtime(HOLD);
                 self.phase = Phase::Halting { since: self.now };
@@ -157,7 +158,6 @@ impl Protocol {
 
     pub(super) fn halting_late(&mut self, since: Duration) {
         if self.now.saturating_sub(since) >= HALT_WITHIN {
-            self.interrupted = self.interrupted.map(InterruptedStep::in_motion);
             self.reset(false);
         }
     }
@@ -197,13 +197,8 @@ impl Protocol {
     /// Stops the machine at once with a soft reset. In motion it loses steps and raises an alarm.
     pub(super) fn reset(&mut self, stop: bool) {
         self.in_doubt();
-        match (&self.phase, stop) {
-            // It was still decelerating.
-            (Phase::Halting { .. }, true) => {
-                self.interrupted = self.interrupted.map(InterruptedStep::in_motion);
-            }
-            _ if self.interrupted.is_none() => self.interrupt(StoppedBy::Reset),
-            _ => {}
+        if self.interrupted.is_none() {
+            self.interrupt(StoppedBy::Reset);
         }
         let stop = stop || matches!(self.phase, Phase::Resetting(Reset { stop: true, .. }));
         self.stream.clear();

@@ -22,11 +22,10 @@ pub(super) struct InterruptedStep {
 /// What has stopped the machine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum StoppedBy {
-    /// Decelerated by a feed hold, then reset at rest.
-    FeedHold,
     /// Reset in motion: grbl warns that steps may be lost.
     Reset,
-    /// A limit switch, lost power or the like: the counted position may be wrong.
+    /// A limit switch, lost power, a line that was refused or changed on its way: the counted position may be wrong, or the wire is not what it
+    /// stands for.
     Fault,
 }
 
@@ -44,12 +43,7 @@ impl InterruptedStep {
             bend_deg: began.bend_deg,
             approach_deg: None,
         });
-        let exact = by == StoppedBy::FeedHold || run.hold == Hold::Held;
+        let exact = run.hold == Hold::Held;
         Some(Self { step, from, whole, tolerance, exact })
-    }
-
-    /// It was reset while it still moved.
-    pub fn in_motion(self) -> Self {
-        Self { exact: false, ..self }
     }
 }

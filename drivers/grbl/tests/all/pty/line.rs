@@ -5,7 +5,7 @@ use serde_json::json;
 use wirebend_driver_api::{Event, Step};
 
 use crate::pty::model::{Build, Change};
-use crate::pty::{arm_and_send, built, connected_and_homed, until};
+use crate::pty::{arm_and_send, built, connected_and_homed, until, until_told};
 
 /// Of whole steps of the model.
 const WIRE: [Step; 2] = [
@@ -29,6 +29,9 @@ fn a_bend_that_was_changed_on_its_way_ends_the_wire() {
     // It went 12.35 there and 92.35 back.
     let said = "in step 1 the bend axis stands at -80\u{b0}, and the lines that were sent end at 0\u{b0}";
     assert!(error.code == "displaced" && error.message.starts_with(said), "{error}");
+    // Where the axes stand says nothing of the wire: the step stays in doubt.
+    let told = until_told(bench.session.as_mut(), |event| matches!(event, Event::PartMade { .. }));
+    assert!(matches!(told.last(), Some(Event::PartMade { step: 1, made: None, .. })), "{told:?}");
     drop(bench.session);
     assert_eq!(bench.model.end().bends, [[20.5, -30.0, -80.0]]);
 }
