@@ -160,6 +160,7 @@ impl Timed {
 
     /// Sends nothing more. The machine finishes what it was sent, and only then it is at rest.
     pub fn stop(&mut self) {
+        self.tell_step_under_way();
         self.wire = None;
         self.queue.clear();
         self.state = State::Lost;
@@ -170,6 +171,16 @@ impl Timed {
              was sent",
             "cut its power to stop the motion under way",
         )));
+    }
+
+    /// Of the step under way nobody knows how far it comes; of those after it nothing was sent.
+    fn tell_step_under_way(&mut self) {
+        let step = self.queue.iter().find_map(|task| if let Task::Step(n) = task { Some(*n) } else { None });
+        let moving = self.under_way.is_some_and(|(command, _)| command != Command::Manual);
+        if let Some(step) = step {
+            let made = if moving { None } else { Some(Step::default()) };
+            self.events.push_back(Event::PartMade { step, made, exact: !moving });
+        }
     }
 
     /// Time has passed: what is over is reported, and what is due is sent.
