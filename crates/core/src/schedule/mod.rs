@@ -140,6 +140,14 @@ pub fn schedule(
         let made = (!ways.is_empty()).then(elsewhere).flatten().filter(|(_, choices)| is_made(choices));
         best = made.or(best);
     }
+    // That a bend is made to a side to which it cannot is then for want of turns.
+    if let Some((_, choices)) = &best
+        && let Some(k) = (0..bends.len()).find(|&k| !is_side_made(sides[k], choices[k].flipped))
+    {
+        let wanted = (choices[k].head + Angle::HALF_TURN).wrapped();
+        let here = RotationOutOfRange { step: bends[k], wanted, min: limits.min, max: limits.max };
+        return Err(refused.unwrap_or(here));
+    }
     match (best, refused) {
         (Some((_, choices)), _) => {
             let chosen: Vec<(Angle, bool)> =

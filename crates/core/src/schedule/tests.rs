@@ -164,6 +164,19 @@ fn the_head_turns_before_the_first_bend_where_a_later_one_needs_it() {
     assert_eq!(heads, [-30.0, 90.0, 85.0, -30.0, -30.0]);
 }
 
+/// The bend is no sharper than others: the head cannot turn to where it is made to the only side.
+#[test]
+fn a_bend_that_no_turn_brings_to_the_only_side_is_out_of_range_of_the_head() {
+    let wire = program(&[(0.0, 78.0), (159.3, 78.0), (-168.6, 54.0), (54.0, 92.0)]);
+    let one_sided = |bend: Angle| (bend > Angle::ZERO).then_some(1.0);
+    let refused = schedule(&wire, &limits(-60.0, 60.0), one_sided).unwrap_err();
+    assert_eq!((refused.step, refused.wanted.deg().round()), (1, 159.0));
+    assert!(schedule(&wire, &limits(-90.0, 90.0), one_sided).is_ok(), "from -69.3 to 90");
+    // What no side makes is not for want of turns.
+    let none = |bend: Angle| (bend.abs() < deg(60.0)).then_some(1.0);
+    assert!(schedule(&wire, &limits(-60.0, 60.0), none).is_ok());
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(256))]
 
