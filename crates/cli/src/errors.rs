@@ -24,7 +24,7 @@ pub fn error_schema() -> serde_json::Value {
 #[derive(Debug, Serialize, JsonSchema)]
 struct ErrorReport<'a> {
     /// What went wrong.
-    error: ErrorBody<'a>,
+    error: &'a ErrorBody<'a>,
 }
 
 #[derive(Debug, Serialize, JsonSchema)]
@@ -41,6 +41,33 @@ struct ErrorBody<'a> {
     /// What the checks say, where that is the reason.
     #[serde(skip_serializing_if = "Option::is_none")]
     report: Option<&'a PlanReport>,
+}
+
+/// Reports arguments that cannot be understood. Help and version, which are asked for, are no failure.
+pub(crate) fn arguments(error: &clap::Error, json: bool) -> ExitCode {
+    let code = if error.use_stderr() { exit::USAGE } else { exit::DONE };
+    if !json || code == exit::DONE {
+        return if error.print().is_ok() { ExitCode::from(code) } else { ExitCode::from(exit::FAILURE) };
+    }
+    let text = error.render().to_string();
+    let mut paragraphs = text.split("\n\n").map(str::trim).filter(|paragraph| !paragraph.is_empty());
+    let message = paragraphs.next().unwrap_or_default();
+    let message = message.strip_prefix("error: ").unwrap_or(message).to_owned();
+    let help = paragraphs.map(|paragraph| paragraph.strip_prefix("tip: ").unwrap_or(paragraph).to_owned());
+    print(&ErrorBody {
+        code: ErrorCode::Usage,
+        message,
+        remedies: Vec::new(),
+        help: help.collect(),
+        report: None,
+    });
+    ExitCode::from(code)
+}
+
+fn print(body: &ErrorBody) {
+    if let Ok(text) = serde_json::to_string_pretty(&ErrorReport { error: body }) {
+        let _ = writeln!(std::io::stdout(), "{text}");
+    }
 }
 
 /// Reports a failure and gives its exit status.
@@ -64,12 +91,10 @@ pub(crate) fn report(error: &anyhow::Error, json: bool) -> ExitCode {
     let remedies = known.map(ApiError::remedies).unwrap_or_default();
     if json {
         let message = format!("{error:#}");
-        let code = known.map_or(ErrorCode::Failure, ApiError::code);
+        let other = if error.is::<WrongUse>() { ErrorCode::Usage } else { ErrorCode::Failure };
+        let code = known.map_or(other, ApiError::code);
         let help = render::advice::of(&remedies);
-        let body = ErrorBody { code, message, remedies, help, report };
-        if let Ok(text) = serde_json::to_string_pretty(&ErrorReport { error: body }) {
-            let _ = writeln!(std::io::stdout(), "{text}");
-        }
+        print(&ErrorBody { code, message, remedies, help, report });
     } else {
         if let Some(report) = report {
             let _ = render::plan::diagnostics(&mut anstream::stderr().lock(), report);

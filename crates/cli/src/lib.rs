@@ -29,7 +29,16 @@ use terminal::Terminal;
 /// The arguments, for documentation: completions, manual page, reference.
 #[must_use]
 pub fn command() -> clap::Command {
-    Cli::command()
+    with_numbers_below_zero(Cli::command())
+}
+
+/// A number below zero behind an option is its value, and what is wrong with it is said of the number.
+fn with_numbers_below_zero(command: clap::Command) -> clap::Command {
+    let takes = |argument: clap::Arg| {
+        let takes_values = argument.get_action().takes_values() && !argument.is_positional();
+        if takes_values { argument.allow_negative_numbers(true) } else { argument }
+    };
+    command.mut_args(takes).mut_subcommands(with_numbers_below_zero)
 }
 
 /// Runs the program with the arguments of the process.
@@ -43,9 +52,8 @@ pub fn main() -> ExitCode {
     let cli = match command().try_get_matches().and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
         Err(error) => {
-            // Help and version are asked for; the rest is a usage error.
-            let code = if error.use_stderr() { exit::USAGE } else { exit::DONE };
-            return if error.print().is_ok() { ExitCode::from(code) } else { ExitCode::from(exit::FAILURE) };
+            let mut words = std::env::args_os().take_while(|word| word != "--");
+            return errors::arguments(&error, words.any(|word| word == "--json"));
         }
     };
     listen(cli.verbose);

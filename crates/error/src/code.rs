@@ -241,6 +241,7 @@ codes! {
     Unsupported = "unsupported",
     Unwritable = "unwritable",
     Unwritten = "unwritten",
+    Usage = "usage",
     Value = "value",
     WhichWire = "which-wire",
     WithoutEffect = "without-effect",
