@@ -33,7 +33,7 @@ pub use progress::{Overview, Progress};
 pub use record::{ConfirmedPause, Decision, Interruption, Outcome, PartInWire, Record};
 pub use resume::{Contradiction, ContradictionKind, Resume, Settled};
 pub use run::JobRun;
-pub use wire_job::{PauseAfter, WireJob};
+pub use wire_job::{PauseAfter, StepTime, WireJob};
 
 #[cfg(test)]
 mod tests;

@@ -14,6 +14,8 @@ pub(super) struct TimeEstimator {
     since: Option<Duration>,
     /// What of it was done before that, as the time that it takes at the programmed speed.
     before: Duration,
+    /// After how many steps the wire goes on, and what of the next one was done before, as it was estimated.
+    begun: (u32, Duration),
     /// How fast the machine is, of the programmed speed.
     speed: f64,
 }
@@ -35,6 +37,7 @@ impl TimeEstimator {
             measured: Duration::ZERO,
             since: None,
             before: Duration::ZERO,
+            begun: (0, Duration::ZERO),
             speed: 1.0,
         }
     }
@@ -57,6 +60,11 @@ impl TimeEstimator {
         self.speed = f64::from(percent.max(1)) / 100.0;
     }
 
+    /// The wire goes on in the step after the first `done`, of which so much was done before.
+    pub const fn goes_on(&mut self, done: u32, made: Duration) {
+        self.begun = (done, made);
+    }
+
     /// A step is done; `more`: the machine has another one already.
     pub fn made(&mut self, n: u32, now: Duration, more: bool) {
         self.holds(now);
@@ -68,7 +76,8 @@ impl TimeEstimator {
     /// What the steps after `done` will take.
     pub fn remaining(&self, done: u32, now: Duration) -> Duration {
         let skip = usize::try_from(done).unwrap_or(usize::MAX);
-        let left: Duration = self.estimates.iter().skip(skip).sum();
+        let begun = if done == self.begun.0 { self.begun.1 } else { Duration::ZERO };
+        let left = self.estimates.iter().skip(skip).sum::<Duration>().saturating_sub(begun);
         let scaled = if self.estimated.is_zero() {
             left
         } else {
@@ -84,9 +93,11 @@ impl TimeEstimator {
         self.before + since.mul_f64(self.speed)
     }
 
+    /// What is left of a step where the wire goes on in it, or all of it.
     fn estimate(&self, n: u32) -> Duration {
         let at = usize::try_from(n).unwrap_or(usize::MAX).wrapping_sub(1);
-        self.estimates.get(at).copied().unwrap_or_default()
+        let whole = self.estimates.get(at).copied().unwrap_or_default();
+        if n == self.begun.0.saturating_add(1) { whole.saturating_sub(self.begun.1) } else { whole }
     }
 }
 
@@ -144,6 +155,17 @@ mod tests {
         assert_eq!(pace.remaining(0, s(50)), s(0));
         pace.made(1, s(50), false);
         assert_eq!(pace.remaining(1, s(50)), s(0));
+    }
+
+    /// Of the first 10 s are 8 done: the rest takes 3, half as long again as it should.
+    #[test]
+    fn what_was_done_before_does_not_count() {
+        let mut pace = TimeEstimator::new(vec![s(10), s(20)], 2);
+        pace.goes_on(0, s(8));
+        assert_eq!(pace.remaining(0, s(0)), s(22));
+        pace.works(s(0));
+        pace.made(1, s(3), false);
+        assert_eq!(pace.remaining(1, s(3)), s(30));
     }
 
     #[test]

@@ -6,6 +6,7 @@ use wirebend_driver_api::{Run, Step};
 
 use super::entry::Heading;
 use super::error::JobError;
+use super::part::Part;
 
 /// A step after which the machine waits until a person has done something.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -16,6 +17,25 @@ pub struct PauseAfter {
     pub note: String,
 }
 
+/// How long a step takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct StepTime {
+    /// To feed.
+    pub feed: Duration,
+    /// To turn the head.
+    pub rotate: Duration,
+    /// For all the rest.
+    pub bend: Duration,
+}
+
+impl StepTime {
+    /// All together.
+    #[must_use]
+    pub fn total(&self) -> Duration {
+        self.feed + self.rotate + self.bend
+    }
+}
+
 #[derive(Debug, Clone, PartialEq)]
 pub struct WireJob {
     /// The wire; `after` and `rotate_at_deg` are filled in from the journal.
@@ -23,12 +43,25 @@ pub struct WireJob {
     /// All of its steps, in the machine's signs.
     pub steps: Vec<Step>,
     /// How long each is estimated to take; may be empty.
-    pub estimates: Vec<Duration>,
+    pub estimates: Vec<StepTime>,
+    /// The play of the head that the steps make up for, degrees.
+    pub head_play_deg: f64,
     /// Where the machine waits for a person, in order.
     pub pauses: Vec<PauseAfter>,
 }
 
 impl WireJob {
+    /// How long a part of the step after the first `done` takes.
+    pub(super) fn time_of(&self, done: u32, part: Part) -> Duration {
+        let at = usize::try_from(done).unwrap_or(usize::MAX);
+        let (Some(time), Some(step)) = (self.estimates.get(at), self.steps.get(at)) else {
+            return Duration::ZERO;
+        };
+        let share = |part: f64, whole: f64| if whole == 0.0 { 0.0 } else { (part / whole).clamp(0.0, 1.0) };
+        time.feed.mul_f64(share(part.feed_mm, step.feed_mm))
+            + time.rotate.mul_f64(share(part.rotate_deg, step.rotate_deg))
+    }
+
     /// Whether it is what a journal is of, and can be sent.
     pub(super) fn fits(&self, heading: &Heading) -> Result<(), JobError> {
         let run = &self.run;

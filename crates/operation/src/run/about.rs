@@ -1,7 +1,5 @@
 //! What a person reads before they say yes.
 
-use std::time::Duration;
-
 use wirebend_core::units::Mm;
 use wirebend_driver_host::api::{DoneBy, ReferenceBy};
 
@@ -37,7 +35,7 @@ pub fn about(
     let fed = setup.fed_mm(kept);
     let which = if count > 1 { format!("wire {} of {count}", wire + 1) } else { "the wire".to_owned() };
     let (steps, bends) = (counted(steps, "step"), counted(bends, "bend"));
-    let seconds = task.work(wire, connection)?.estimates.iter().map(Duration::as_secs_f64).sum();
+    let seconds = task.work(wire, connection)?.estimates.iter().map(|time| time.total().as_secs_f64()).sum();
     let anew = begins.is_some();
     // How long the rest of a wire that was begun takes is not estimated.
     let time = if anew { format!("; {} on the machine", minutes(seconds)) } else { String::new() };

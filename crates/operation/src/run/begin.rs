@@ -1,7 +1,5 @@
 //! A job's wires bent from their beginning, one after the other.
 
-use std::time::Duration;
-
 use wirebend_driver_host::Permit;
 use wirebend_driver_host::jobs::{Clock, Heading, JobRun, Journal, WireJob};
 
@@ -216,7 +214,7 @@ impl Task<'_> {
             material: self.setup.material_id().to_owned(),
             stock_mm: work.run.stock_mm,
             done_by: connection.session.done_by(),
-            estimates_s: work.estimates.iter().map(Duration::as_secs_f64).collect(),
+            estimates_s: work.estimates.iter().map(|time| time.total().as_secs_f64()).collect(),
         };
         let journal = Journal::create(&path, heading, self.clock.stamp()).map_err(LiveProblem::from)?;
         Ok((id, journal, work))

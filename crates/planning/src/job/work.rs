@@ -5,8 +5,9 @@ use std::time::Duration;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::compensate::CompensatedProgram;
+use wirebend_core::estimate::StepSeconds;
 use wirebend_driver_host::api::{self, Bench, BenchBender, BenchWire};
-use wirebend_driver_host::jobs::{PauseAfter, WireJob};
+use wirebend_driver_host::jobs::{PauseAfter, StepTime, WireJob};
 use wirebend_driver_host::{HostError, OpenDriver};
 use wirebend_files::document::{Job, JobPause, JobWire};
 use wirebend_profile::{BendFigures, MachineProfile, MaterialProfile, Resolved};
@@ -76,15 +77,23 @@ pub fn work(setup: &Setup, job: &Job, name: &str, index: usize) -> Result<WireJo
     };
     let pause = |JobPause { after, note }: &JobPause| PauseAfter { after: *after, note: note.clone() };
     let pauses = wire.pauses.iter().map(pause).collect();
-    Ok(WireJob { run, steps, estimates: estimates(setup, wire)?, pauses })
+    let head_play_deg = setup.model.compensation.motion.rotate_backlash.deg();
+    Ok(WireJob { run, steps, estimates: estimates(setup, wire)?, head_play_deg, pauses })
 }
 
 /// How long each step takes by the machine's time model.
-fn estimates(setup: &Setup, wire: &JobWire) -> Result<Vec<Duration>, PlanningError> {
+fn estimates(setup: &Setup, wire: &JobWire) -> Result<Vec<StepTime>, PlanningError> {
     let steps = told_steps(&wire.compensated)?;
     let program = CompensatedProgram::from_job_steps(steps, &setup.model.compensation);
     let each = setup.model.time.each_step(&program);
-    Ok(each.map(|step| Duration::try_from_secs_f64(step.total()).unwrap_or_default()).collect())
+    let seconds = |seconds: f64| Duration::try_from_secs_f64(seconds).unwrap_or_default();
+    Ok(each
+        .map(|StepSeconds { feed, rotate, bend, wait }| StepTime {
+            feed: seconds(feed),
+            rotate: seconds(rotate),
+            bend: seconds(bend + wait),
+        })
+        .collect())
 }
 
 /// What a simulated machine has to know; `None` for a machine without a pin and a peg that go about the wire.

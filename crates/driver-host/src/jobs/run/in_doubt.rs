@@ -101,6 +101,7 @@ impl JobRun {
     /// What is to be sent of a step.
     pub(super) fn to_send(&self, n: u32, step: Step) -> Step {
         let state: &JournalState = self.journal_state();
-        if n == state.done + 1 { state.part.rest(step) } else { step }
+        let rest = if n == state.done + 1 { state.part.rest(step) } else { step };
+        Step { rotate_deg: rest.rotate_deg + self.turns_more_in(n), ..rest }
     }
 }

@@ -3,11 +3,12 @@
 mod ending;
 mod in_doubt;
 mod pausing;
+mod play;
 mod send_window;
 
 use std::time::Duration;
 
-use wirebend_driver_api::{Event, ResumeState, Run};
+use wirebend_driver_api::{Event, ResumeState, Run, Step};
 
 use super::clock::Clock;
 use super::entry::{Entry, EntryKind, ToldBy};
@@ -18,7 +19,7 @@ use super::progress::{Overview, Progress};
 use super::record::Record;
 use super::resume::{Resume, Settled};
 use super::time_estimator::TimeEstimator;
-use super::wire_job::WireJob;
+use super::wire_job::{StepTime, WireJob};
 use crate::error::advice_of;
 use crate::session::{Armed, Permit, Phase, Session, StopHandle, turned};
 use send_window::SendWindow;
@@ -36,6 +37,8 @@ pub struct JobRun {
     estimator: TimeEstimator,
     armed: Option<Armed>,
     window: SendWindow,
+    /// The step in which the wire goes on, and how much more it turns than its rest does.
+    turns_more: (u32, f64),
     /// A stop is written down once.
     stop_noted: bool,
     /// The result of a standstill is written down once.
@@ -70,7 +73,8 @@ impl JobRun {
             journal.add(Entry { at: clock.stamp(), what })?;
         }
         let begun = clock.now();
-        let mut estimator = TimeEstimator::new(work.estimates.clone(), work.run.steps);
+        let estimates = work.estimates.iter().map(StepTime::total).collect();
+        let mut estimator = TimeEstimator::new(estimates, work.run.steps);
         if let Some(percent) = session.snapshot().speed_percent {
             estimator.goes_at(percent, begun);
         }
@@ -84,6 +88,7 @@ impl JobRun {
             estimator,
             armed,
             window,
+            turns_more: (0, 0.0),
             stop_noted: false,
             standstill_noted: false,
         })
@@ -123,9 +128,12 @@ impl JobRun {
                     self.note(part.told_by(n, ToldBy::Machine))?;
                 }
                 let (after, part) = (from - 1, self.journal_state().part);
-                let rotate_at_deg = turned(&self.work.steps, after) + part.rotate_deg;
+                let more = play::turns_more(&self.work.steps, after, part, self.work.head_play_deg);
+                let rotate_at_deg = turned(&self.work.steps, after) + part.rotate_deg - more;
                 let run = Run { after, rotate_at_deg, fed_mm: part.feed_mm, ..self.work.run.clone() };
                 let armed = self.session.arm(run, permit)?;
+                self.turns_more = (from, more);
+                self.estimator.goes_on(after, self.work.time_of(after, part));
                 self.begun(armed, false)?;
             }
         }
@@ -238,7 +246,10 @@ impl JobRun {
             Event::PartMade { step: n, made, exact }
                 if self.journal_state().in_doubt().is_some_and(|steps| *steps.start() == n) =>
             {
-                self.note(EntryKind::PartMade { n, made, exact })?;
+                // It tells what it has done of what it was sent.
+                let of_step =
+                    |made: Step| Step { rotate_deg: made.rotate_deg - self.turns_more_in(n), ..made };
+                self.note(EntryKind::PartMade { n, made: made.map(of_step), exact })?;
             }
             Event::Speed { percent } => self.estimator.goes_at(percent, now),
             Event::Position(step) => told.push(Progress::Position(step)),
@@ -359,6 +370,12 @@ impl JobRun {
     #[must_use]
     pub fn into_parts(self) -> (Session, Journal) {
         (self.session, self.journal)
+    }
+
+    /// How much more than its rest a step turns, since the wire goes on in it.
+    fn turns_more_in(&self, n: u32) -> f64 {
+        let (step, more) = self.turns_more;
+        if n == step { more } else { 0.0 }
     }
 
     fn note(&mut self, what: EntryKind) -> Result<(), JobError> {

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use wirebend_driver_host::api::Step;
 use wirebend_driver_host::jobs::{
-    EntryKind, JobError, JobRun, Journal, Part, Progress, Resume, StepOutcome, SystemClock, ToldBy,
+    EntryKind, JobError, JobRun, Journal, Part, Progress, Resume, StepOutcome, SystemClock, ToldBy, WireJob,
 };
 
 use super::shop::{Shop, home, work};
@@ -13,9 +13,13 @@ use crate::permits;
 /// A wire that was stopped when one step was done, with what the machine says of the second. The sum of what is sent of the
 /// second step is that step.
 fn stopped(shop: &Shop, cut: &Value) -> JobRun {
+    stopped_of(shop, cut, work())
+}
+
+fn stopped_of(shop: &Shop, cut: &Value, work: WireJob) -> JobRun {
     // It holds when one is done.
     let settings = json!({"cut": cut, "faults": [{"at": 1, "how": "hold"}]});
-    let mut run = shop.program(settings, Box::new(SystemClock::default()));
+    let mut run = shop.program_for(settings, Box::new(SystemClock::default()), work);
     home(run.session());
     permits::start(&mut run).unwrap();
     while run.journal_state().done < 1 {
@@ -73,6 +77,21 @@ fn a_bend_that_was_stopped_is_made_again_and_nothing_is_fed_twice() {
     );
     let part = EntryKind::Part { n: 2, feed_mm, rotate_deg, by: ToldBy::Machine };
     assert!(entries(&shop).iter().any(|entry| entry.what == part));
+}
+
+/// The head had come to its place with its play on one side. From zero it comes from the other, unless it goes farther and back.
+#[test]
+fn a_head_with_play_comes_to_its_place_as_it_did_before() {
+    let folder = tempfile::tempdir().unwrap();
+    let shop = Shop::at(folder.path());
+    let Step { bend_deg, rotate_deg, .. } = second();
+    assert!(rotate_deg < 0.0 && work().steps[0].rotate_deg + rotate_deg < 0.0);
+    let made = Step { bend_deg: bend_deg / 2.0, ..second() };
+    let job = WireJob { head_play_deg: 1.5, ..work() };
+    let mut run = stopped_of(&shop, &json!({"made": made, "exact": false}), job);
+    let place = work().steps[0].rotate_deg + rotate_deg;
+    let (last, head) = rest(&shop, &mut run);
+    assert_eq!((last.rotate_deg, head), (-2.5, place + 2.5));
 }
 
 /// An axis that was on its way may have lost steps as it stopped.

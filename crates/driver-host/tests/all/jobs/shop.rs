@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use serde_json::{Value, json};
 use wirebend_driver_api::{Run, Step};
-use wirebend_driver_host::jobs::{Clock, Heading, JobRun, Journal, Resume, StepOutcome, WireJob};
+use wirebend_driver_host::jobs::{Clock, Heading, JobRun, Journal, Resume, StepOutcome, StepTime, WireJob};
 use wirebend_driver_host::{DiscoveredDriver, Driver, Launch, Phase, Place, Session, TrustStore};
 
 use crate::permits;
@@ -30,8 +30,11 @@ pub fn work() -> WireJob {
         bend_deg: 45.0,
         approach_deg: None,
     };
-    let (steps, estimates) = (TURNS.iter().map(step).collect(), vec![Duration::from_secs(10); 5]);
-    WireJob { run, steps, estimates, pauses: Vec::new() }
+    let (steps, estimates) = (
+        TURNS.iter().map(step).collect(),
+        vec![StepTime { bend: Duration::from_secs(10), ..StepTime::default() }; 5],
+    );
+    WireJob { run, steps, estimates, head_play_deg: 0.0, pauses: Vec::new() }
 }
 
 pub fn heading() -> Heading {
@@ -90,6 +93,10 @@ impl Shop {
 
     /// What a program does when it is started: the journal is begun or opened again, the machine connected.
     pub fn program(&self, settings: Value, clock: Box<dyn Clock>) -> JobRun {
+        self.program_for(settings, clock, work())
+    }
+
+    pub fn program_for(&self, settings: Value, clock: Box<dyn Clock>, work: WireJob) -> JobRun {
         let path = self.journal_path();
         let journal = if path.exists() {
             Journal::open(&path).unwrap()
@@ -98,7 +105,7 @@ impl Shop {
         };
         let token = journal.state().token.clone();
         let session = self.session(settings, token.as_deref());
-        JobRun::new(session, journal, work(), clock).unwrap()
+        JobRun::new(session, journal, work, clock).unwrap()
     }
 
     /// A person looks at the wire and says what they see, as long as they are asked; then the machine is homed

@@ -1,0 +1,94 @@
+//! The play of a head when a wire goes on: the head has to come to its place from the side from which it came before.
+
+use wirebend_driver_api::Step;
+
+use super::super::part::Part;
+
+/// The drive goes so much farther than the play is, degrees: how large that is is not known exactly.
+const BEYOND_DEG: f64 = 1.0;
+/// A turn that is there by rounding alone turns no head.
+const NO_TURN_DEG: f64 = 1e-6;
+
+/// How much more the step after the first `done` turns where a wire goes on within it: the head, which was put to zero since, stands so far
+/// before, and so takes up its play as it did when it came there first. Zero where the rest of the step does that.
+pub(super) fn turns_more(steps: &[Step], done: u32, part: Part, play_deg: f64) -> f64 {
+    let count = usize::try_from(done).unwrap_or(usize::MAX).saturating_add(1);
+    let turns = || steps.iter().take(count).map(|step| step.rotate_deg);
+    let Some(last) = turns().rfind(|turn| turn.abs() > NO_TURN_DEG).filter(|_| play_deg > 0.0) else {
+        return 0.0;
+    };
+    let rest = steps.get(count - 1).map_or(0.0, |step| step.rotate_deg - part.rotate_deg);
+    let takes_up = (rest * last.signum()).max(0.0);
+    (play_deg + BEYOND_DEG - takes_up).max(0.0) * last.signum()
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// A head that its drive moves with play: it stands at one end of it or the other.
+    struct Head {
+        drive: f64,
+        stands: f64,
+        play: f64,
+    }
+
+    impl Head {
+        fn turn(&mut self, by: f64) {
+            self.drive += by;
+            self.stands = self.stands.clamp(self.drive - self.play, self.drive);
+        }
+    }
+
+    proptest! {
+        /// The planes of all bends after it are those that they would have been.
+        #[test]
+        fn a_head_that_was_put_to_zero_stands_where_it_would_have(
+            turns in prop::collection::vec(prop_oneof![Just(0.0), -90.0..90.0_f64, -3.0..3.0_f64], 1..8),
+            at in 0..8_usize, share in 0.0..=1.0_f64, play in 0.1..4.0_f64, rests in 0.0..=1.0_f64,
+        ) {
+            let at = at % turns.len();
+            let steps: Vec<Step> =
+                turns.iter().map(|&rotate_deg| Step { rotate_deg, ..Step::default() }).collect();
+            let part = Part { feed_mm: 0.0, rotate_deg: turns[at] * share };
+            // Smaller turns than the play leave it somewhere, which nobody knows.
+            prop_assume!(turns[..=at].iter().any(|turn| turn.abs() > play + 0.01));
+            let told = |head: &mut Head, turns: &[f64]| turns.iter().map(|&by| { head.turn(by); head.stands }).collect::<Vec<f64>>();
+            let mut whole = Head { drive: 0.0, stands: -play * rests, play };
+            let planned = told(&mut whole, &turns);
+            let done = u32::try_from(at).unwrap();
+            let more = turns_more(&steps, done, part, play);
+            let mut resumed = Head { drive: 0.0, stands: -play * rests, play };
+            let before: f64 = turns[..at].iter().sum();
+            resumed.turn(before + part.rotate_deg - more);
+            resumed.turn(turns[at] - part.rotate_deg + more);
+            // The last turn that moves the head decides on which side of the play it is.
+            let last = turns[..=at].iter().rfind(|turn| **turn != 0.0).unwrap();
+            prop_assume!(last.abs() > play + 0.01);
+            prop_assert!((resumed.stands - planned[at]).abs() < 1e-9, "{} instead of {}", resumed.stands, planned[at]);
+            prop_assert_eq!(told(&mut resumed, &turns[at + 1..]).len(), turns.len() - at - 1);
+            let after = planned.last().unwrap();
+            prop_assert!((resumed.stands - after).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_head_without_play_or_turns_goes_where_it_is_sent() {
+        let step = |rotate_deg| Step { rotate_deg, ..Step::default() };
+        let steps = [step(0.0), step(30.0), step(0.0)];
+        let more = |done, turned, play| {
+            turns_more(&steps, done, Part { feed_mm: 0.0, rotate_deg: turned }, play).to_bits()
+        };
+        for (done, turned, play, wanted) in [
+            (2, 0.0, 0.0, 0.0),
+            (0, 0.0, 1.5, 0.0),
+            (2, 0.0, 1.5, 2.5),
+            (1, 0.0, 1.5, 0.0),
+            (1, 29.0, 1.5, 1.5),
+        ] {
+            assert_eq!(more(done, turned, play), f64::to_bits(wanted), "{done} {turned} {play}");
+        }
+    }
+}
