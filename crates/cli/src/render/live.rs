@@ -100,12 +100,13 @@ fn one_wire(out: &mut impl Write, err: &mut impl Write, wire: &WireRun) -> std::
         let counted = if *sure { "" } else { ", as the machine counts" };
         writeln!(
             err,
-            "step {step} of {steps} was stopped in its middle{counted}: {:.1} of {:.1} mm are fed and {:.1}° of {:.1}° turned; the bend axis stands at {:.1}°",
+            "step {step} of {steps} was stopped in its middle{counted}: {:.1} of {:.1} mm are fed and {:.1}° of {:.1}° turned{}",
             made.feed_mm,
             of.feed_mm,
             shown_deg(made.rotate_deg),
             of.rotate_deg,
-            shown_deg(*bend_at_deg)
+            bend_at_deg
+                .map_or_else(String::new, |at| format!("; the bend axis stands at {:.1}°", shown_deg(at)))
         )?;
     }
     if let Some(resume) = &wire.resume {

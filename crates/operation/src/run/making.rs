@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant, SystemTime};
 
 use wirebend_driver_host::api::PausedBy;
-use wirebend_driver_host::jobs::{JobError, JobRun, JobState, Progress as Told, Resume};
+use wirebend_driver_host::jobs::{JobError, JobRun, JobState, PartMade, Progress as Told, Resume};
 use wirebend_driver_host::{Permit, Session, Standstill, StoppedBy, report_of};
 use wirebend_error::{ErrorCode, ProblemReport};
 
@@ -60,6 +60,13 @@ impl Watch {
     }
 }
 
+/// A wire that a simulated machine has bent, beside its design.
+struct Bent {
+    corners_mm: Vec<[f64; 3]>,
+    /// How far each vertex of the design is from it.
+    deviations_mm: Vec<f64>,
+}
+
 /// What was heard besides what the journal has.
 #[derive(Default)]
 pub(super) struct Heard {
@@ -68,6 +75,7 @@ pub(super) struct Heard {
     /// Why it was stopped without a request.
     pub held: Option<ProblemReport>,
     corners_mm: Vec<[f64; 3]>,
+    part_made_before: Option<PartMade>,
 }
 
 impl Making<'_, '_> {
@@ -93,7 +101,8 @@ impl Making<'_, '_> {
         permit: Permit,
         response: &mut RunResponse,
     ) -> Result<WireRun, OperationError> {
-        let mut heard = Heard::default();
+        let part_made_before = self.run.journal_state().part_made;
+        let mut heard = Heard { part_made_before, ..Heard::default() };
         let driven = self.begin(observer, permit).and_then(|()| self.drive(observer, &mut heard));
         let standstill = self.see_it_stand(observer);
         // What failed while a stop was on its way is its doing.
@@ -125,9 +134,10 @@ impl Making<'_, '_> {
             self.run.note_stop().map_err(LiveProblem::from)?;
         }
         heard.stopped_by = heard.stopped_by.or(stop.map(|outcome| outcome.by));
-        let deviations_mm = self.deviations(&heard)?;
-        if let Some(deviations) = &deviations_mm {
-            self.run.note_deviations(deviations.clone()).map_err(LiveProblem::from)?;
+        let made = self.made(&heard)?;
+        let deviations_mm = made.as_ref().map(|made| made.deviations_mm.clone());
+        if let Some(Bent { corners_mm, deviations_mm }) = made {
+            self.run.note_made(corners_mm, deviations_mm).map_err(LiveProblem::from)?;
         }
         self.keep(response)?;
         self.report(&heard, standstill, deviations_mm)
@@ -294,12 +304,14 @@ impl Making<'_, '_> {
         Ok(())
     }
 
-    fn deviations(&self, heard: &Heard) -> Result<Option<Vec<f64>>, OperationError> {
+    /// The corners of the wire beside the design, and how far each is from it.
+    fn made(&self, heard: &Heard) -> Result<Option<Bent>, OperationError> {
         if heard.corners_mm.is_empty() {
             return Ok(None);
         }
         let kept = KeptWire::new(&self.task.file, self.task.wire(self.wire)?, &self.task.setup)?;
-        Ok(kept.deviations_mm(&heard.corners_mm))
+        let corners_mm = kept.wire(&heard.corners_mm).into_iter().map(Into::into).collect();
+        Ok(kept.deviations_mm(&heard.corners_mm).map(|deviations_mm| Bent { corners_mm, deviations_mm }))
     }
 
     /// Writes the record.
@@ -308,10 +320,11 @@ impl Making<'_, '_> {
         self.task.keep(self.run.record().as_ref(), &path, self.wire, response)
     }
 
-    /// The step that was stopped in its middle, where the machine counts how far it was.
-    fn stopped_in(&self) -> Result<Option<StoppedIn>, OperationError> {
+    /// The step that was stopped in its middle, where the machine counts how far it was. `before`: what was known of it at first.
+    fn stopped_in(&self, before: Option<PartMade>) -> Result<Option<StoppedIn>, OperationError> {
         let signs = self.task.setup.signs;
-        let told = self.run.journal_state().part_made.and_then(|told| told.made);
+        let part_made = self.run.journal_state().part_made;
+        let (told, told_now) = (part_made.and_then(|told| told.made), part_made != before);
         let Some((doubtful, told)) = self.run.doubtful().zip(told) else { return Ok(None) };
         let Some(counted) = doubtful.counted else { return Ok(None) };
         let (_, of) = self.task.step(self.wire, doubtful.step)?;
@@ -319,7 +332,7 @@ impl Making<'_, '_> {
             step: doubtful.step,
             made: self.task.part(counted),
             of,
-            bend_at_deg: signs.canonical(told).bend_deg,
+            bend_at_deg: told_now.then(|| signs.canonical(told).bend_deg),
             sure: !doubtful.measure,
         }))
     }
@@ -342,7 +355,7 @@ impl Making<'_, '_> {
         };
         let over = state.is_over();
         let untouched = self.task.untouched(self.wire, &self.id, outcome, state.done, done_by)?;
-        let stopped_in = self.stopped_in()?.filter(|_| !over);
+        let stopped_in = self.stopped_in(heard.part_made_before)?.filter(|_| !over);
         let sure = stopped_in.as_ref().is_some_and(|step| step.sure);
         let in_doubt = state.in_doubt().filter(|_| !sure);
         Ok(WireRun {

@@ -57,8 +57,8 @@ pub struct StoppedIn {
     pub made: PartOfStep,
     /// What the machine is told of it in all, with its feed in mm of wire: the bend starts from its beginning.
     pub of: JobStep,
-    /// Where the bend axis stands, degrees.
-    pub bend_at_deg: f64,
+    /// Where the bend axis stands, degrees; null where the machine was homed since.
+    pub bend_at_deg: Option<f64>,
     /// Whether that is sure. An axis that was on its way may have lost steps: then the user has to look at the wire.
     pub sure: bool,
 }

@@ -302,12 +302,12 @@ impl JobRun {
         self.note(EntryKind::Abandoned)
     }
 
-    /// Writes down how far each corner is from the design, mm.
+    /// Writes down where each corner lies beside the design, which stands for what the machine has told, and how far it is from it, mm.
     ///
     /// # Errors
     /// [`JobError::Journal`].
-    pub fn note_deviations(&mut self, deviations_mm: Vec<f64>) -> Result<(), JobError> {
-        self.note(EntryKind::Made { corners_mm: Vec::new(), deviations_mm: Some(deviations_mm) })
+    pub fn note_made(&mut self, corners_mm: Vec<[f64; 3]>, deviations_mm: Vec<f64>) -> Result<(), JobError> {
+        self.note(EntryKind::Made { corners_mm, deviations_mm: Some(deviations_mm) })
     }
 
     /// Whether the machine still runs steps, or would after a resume.
