@@ -927,7 +927,7 @@ export interface SearchWeights {
 export interface ByHandRequest {}
 export interface CalibrateCompareRequest {
   /**
-   * The two machines; each with the wire that it names.
+   * The two machines; each with the wire that it names, the one that a sheet is of with the wire of the sheet.
    *
    * @minItems 2
    * @maxItems 2

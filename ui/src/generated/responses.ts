@@ -2029,6 +2029,7 @@ export type ErrorCode =
   | "unsupported"
   | "unwritable"
   | "unwritten"
+  | "usage"
   | "value"
   | "which-wire"
   | "without-effect"
@@ -3289,6 +3290,10 @@ export interface CalibrateEnterResponse {
    * How many readings it has now.
    */
   readings: number;
+  /**
+   * How many were there before in their rows, and gave way to them.
+   */
+  replaced: number;
   /**
    * The sheet.
    */
@@ -6668,9 +6673,9 @@ export interface WireRun {
  */
 export interface StoppedIn {
   /**
-   * Where the bend axis stands, degrees.
+   * Where the bend axis stands, degrees; null where the machine was homed since.
    */
-  bend_at_deg: number;
+  bend_at_deg: number | null;
   made: PartOfStep;
   of: JobStep;
   step: number;

@@ -107,7 +107,7 @@ pub(crate) enum CalibrateCommand {
         #[arg(long)]
         force: bool,
     },
-    /// Compare two versions of a machine, each with the wire that it names
+    /// Compare two versions of a machine, each with the wire that it names; the one that a sheet is of with the wire of the sheet
     #[command(
         after_help = "Example:\n  wirebend calibrate compare wirebend-kit my-kit --sheet calibration/sheet.csv"
     )]

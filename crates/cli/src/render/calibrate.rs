@@ -33,7 +33,11 @@ pub(super) fn enter(out: &mut impl Write, found: &CalibrateEnterResponse) -> std
         0 => String::new(),
         missing => format!(", {} empty", count(missing, "cell is", "cells are")),
     };
-    writeln!(out, "{entered} entered; {} in all{missing}", found.readings)?;
+    let replaced = match found.replaced {
+        0 => String::new(),
+        replaced => format!(" in place of {replaced}"),
+    };
+    writeln!(out, "{entered} entered{replaced}; {} in all{missing}", found.readings)?;
     written(out, [&found.sheet].into_iter())
 }
 
@@ -164,7 +168,11 @@ pub(super) fn compare(out: &mut impl Write, found: &CalibrateCompareResponse) ->
             KindName::Turns => "turns",
         };
         let [a, b] = misfit.misfits.map(|misfit| format!("{:.2}{unit}", misfit.mean_abs));
-        writeln!(out, "{name} off on average: {a} with {first}, {b} with {second}")?;
+        let [of_first, of_second] = &found.materials;
+        writeln!(
+            out,
+            "{name} off on average: {a} with {first} and {of_first}, {b} with {second} and {of_second}"
+        )?;
     }
     Ok(())
 }

@@ -103,21 +103,35 @@ pub(super) struct Outcome<T> {
 
 /// Readings from which on their median says something.
 const SEVERAL: usize = 5;
+/// Inner angles differ from 180° less what is expected by so much less than from what is expected.
+const INNER_SPREADS: f64 = 0.2;
 
 /// What is expected of each sample, less what the readings lose in the median: a wire whose springback is far from what was taken
-/// has all of them off alike, and a reading that is off by as much is no slip.
-fn as_the_table_has_it(samples: &[AngleSample], expected: &[Angle]) -> Vec<Angle> {
-    let off = samples.iter().zip(expected).flat_map(|(sample, expected)| {
-        let readings = sample.readings.iter().flatten();
-        readings.map(|reading| reading.abs().deg() - expected.abs().deg()).filter(|off| off.abs() < 180.0)
-    });
-    let off: Vec<f64> = off.collect();
-    if off.len() < SEVERAL {
-        return expected.to_vec();
+/// has all of them off alike, and a reading that is off by as much is no slip. And whether all are inner angles, as a protractor shows
+/// them.
+fn as_the_table_has_it(samples: &[AngleSample], expected: &[Angle]) -> (Vec<Angle>, bool) {
+    let pairs = || {
+        samples.iter().zip(expected).flat_map(|(sample, expected)| {
+            let readings = sample.readings.iter().flatten();
+            readings.map(|reading| [reading.abs().deg(), expected.abs().deg()])
+        })
+    };
+    let off = |read_as: fn(f64) -> f64| -> Vec<f64> {
+        let off = pairs().map(|[read, expected]| read_as(read) - expected);
+        off.filter(|off| off.abs() < 180.0).collect()
+    };
+    let (bends, inner) = (off(|read| read), off(|read| 180.0 - read));
+    if bends.len() < SEVERAL {
+        return (expected.to_vec(), false);
     }
-    let off = median(off).to_radians();
+    let spread = |off: &[f64]| {
+        let middle = median(off.to_vec());
+        median(off.iter().map(|off| (off - middle).abs()).collect())
+    };
+    let are_inner = inner.len() >= SEVERAL && spread(&inner) < INNER_SPREADS * spread(&bends);
+    let off = median(if are_inner { inner } else { bends }).to_radians();
     let shifted = |angle: &Angle| Angle::computed(angle.signum() * (angle.abs().rad() + off).max(0.0));
-    expected.iter().map(shifted).collect()
+    (expected.iter().map(shifted).collect(), are_inner)
 }
 
 /// Fits bends. `beside`: positions of the axis for the bends beside the sides that are measured. `held`: what stays as it was.
@@ -130,14 +144,14 @@ pub(super) fn fit(
     let before = assumed.bend_model()?;
     let expected: Vec<Angle> =
         samples.iter().map(|sample| before.result_to(sample.side, sample.axis)).collect();
-    let likely = as_the_table_has_it(samples, &expected);
+    let (likely, inner) = as_the_table_has_it(samples, &expected);
     let readings: Vec<&[Option<Angle>]> = samples.iter().map(|sample| sample.readings.as_slice()).collect();
     let mut screened = screen(
         Kind::Bends,
         &readings,
         Figure::Angle,
         |k| Figure::Angle(expected[k]),
-        |k, reading| bend(&samples[k], assumed.axis_limit, likely[k], reading),
+        |k, reading| bend(&samples[k], assumed.axis_limit, (likely[k], inner), reading),
     );
     let none = |screened: Screened, given| Outcome {
         fit: None,

@@ -138,7 +138,7 @@ pub enum Gap {
         /// The position of the axis.
         axis: Angle,
     },
-    /// A curve of the springback was asked for, and a side has too few angles for one: a constant is fitted.
+    /// A curve of the springback was asked for, and a side has too few angles for one: none is made.
     FewAngles {
         /// How many a side needs.
         needed: usize,

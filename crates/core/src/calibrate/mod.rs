@@ -47,6 +47,8 @@ pub enum CalibrationError {
     NoReadings {
         /// How many readings there are.
         given: usize,
+        /// Why they are left out, where that is the same for all.
+        reason: Option<LeftOutReason>,
     },
     /// The figures of before are not those of a machine.
     #[error(transparent)]
@@ -109,7 +111,12 @@ fn calibrate_holding(
     if bends.fit.is_none() && feeds.fit.is_none() && turns.fit.is_none() {
         let given = |gap: &Gap| if let Gap::NoReadings { given, .. } = gap { *given } else { 0 };
         let all = [&bends.gaps, &feeds.gaps, &turns.gaps];
-        return Err(CalibrationError::NoReadings { given: all.into_iter().flatten().map(given).sum() });
+        let left_out = || [&bends.left_out, &feeds.left_out, &turns.left_out].into_iter().flatten();
+        let first = left_out().next().map(|left| left.reason);
+        return Err(CalibrationError::NoReadings {
+            given: all.into_iter().flatten().map(given).sum(),
+            reason: first.filter(|first| left_out().all(|left| left.reason == *first)),
+        });
     }
     Ok(Calibration {
         bends: bends.fit,

@@ -62,11 +62,11 @@ pub(super) fn screen<V: Copy>(
     screened
 }
 
-/// A bend, signed as its side; `expected` is its size by the figures of before.
+/// A bend, signed as its side; `expected` is its size by the figures of before, `inner` that readings are inner angles.
 pub(super) fn bend(
     sample: &AngleSample,
     limit: Option<Angle>,
-    expected: Angle,
+    (expected, inner): (Angle, bool),
     reading: Angle,
 ) -> Result<f64, LeftOutReason> {
     if let Some(limit) = limit.filter(|limit| sample.axis.abs() > *limit) {
@@ -77,7 +77,7 @@ pub(super) fn bend(
     if read == 0.0 {
         return Err(LeftOutReason::NoBend);
     }
-    if (read - wanted).abs() > FAR_DEG && (180.0 - read - wanted).abs() < ABOUT_DEG {
+    if (inner || (read - wanted).abs() > FAR_DEG) && (180.0 - read - wanted).abs() < ABOUT_DEG {
         return Err(LeftOutReason::Unit(OtherUnit::InnerAngle));
     }
     if read >= 180.0 {

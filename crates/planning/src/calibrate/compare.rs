@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use wirebend_files::read::{MeasuringSheet, read_file};
 use wirebend_profile::Kind;
 
 use super::report::{KindName, MisfitReport};
@@ -12,7 +13,7 @@ use crate::{Installation, PlanningError, Progress};
 
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct CalibrateCompareRequest {
-    /// The two machines; each with the wire that it names.
+    /// The two machines; each with the wire that it names, the one that a sheet is of with the wire of the sheet.
     pub machines: [String; 2],
     /// A sheet whose readings both are held against.
     pub sheet: Option<PathBuf>,
@@ -57,7 +58,16 @@ pub fn compare(
 ) -> Result<CalibrateCompareResponse, PlanningError> {
     progress.stage("comparing");
     let [first, second] = &request.machines;
-    let setups = [app.setup(first, None)?, app.setup(second, None)?];
+    // The machine that a sheet is of has bent the wire of the sheet.
+    let of_sheet = request.sheet.as_deref().map(|path| {
+        let sheet = MeasuringSheet::read(&path.display().to_string(), &read_file(path)?)?;
+        Ok::<_, PlanningError>([sheet.machine, sheet.material])
+    });
+    let of_sheet = of_sheet.transpose()?;
+    let wire = |id: &String| {
+        of_sheet.as_ref().and_then(|[machine, material]| (machine == id).then_some(material.as_str()))
+    };
+    let setups = [app.setup(first, wire(first))?, app.setup(second, wire(second))?];
     let materials = [0, 1].map(|k: usize| setups[k].material_id().to_owned());
     let mut values = differing(app, Kind::Machine, &request.machines)?;
     // That they name another wire is no value of theirs.

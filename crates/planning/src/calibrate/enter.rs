@@ -23,6 +23,8 @@ pub struct CalibrateEnterResponse {
     pub sheet: PathBuf,
     /// How many readings were entered.
     pub entered: usize,
+    /// How many were there before in their rows, and gave way to them.
+    pub replaced: usize,
     /// How many readings it has now.
     pub readings: usize,
     /// How many cells are empty.
@@ -45,12 +47,13 @@ pub struct SheetFile {
     path: PathBuf,
     pub sheet: MeasuringSheet,
     entered: usize,
+    replaced: usize,
 }
 
 impl SheetFile {
     pub fn open(path: &Path) -> Result<Self, PlanningError> {
         let sheet = MeasuringSheet::read(&path.display().to_string(), &read_file(path)?)?;
-        Ok(Self { path: path.to_owned(), sheet, entered: 0 })
+        Ok(Self { path: path.to_owned(), sheet, entered: 0, replaced: 0 })
     }
 
     /// Readings as they are typed: `angle-40=38.5,39` for a coupon with one row, `angle-40:2=…` for its second. A dash leaves
@@ -81,7 +84,11 @@ impl SheetFile {
         let index = match (number, rows.len()) {
             (_, 0) => return Err(wrong("a coupon of the sheet, by its name in the first column")),
             (None, 1) => 0,
-            (None, _) => return Err(wrong("a row of a coupon that has several, such as angle-40:2")),
+            (None, _) => {
+                return Err(wrong(
+                    "a coupon with one row, or the number of a row behind it: 1 to the positive side, 2 to the negative",
+                ));
+            }
             (Some(number), _) => {
                 number.parse::<usize>().ok().and_then(|n| n.checked_sub(1)).unwrap_or(usize::MAX)
             }
@@ -93,6 +100,10 @@ impl SheetFile {
             ));
         }
         self.entered += readings.iter().flatten().count();
+        let kept =
+            |(at, reading): &(usize, &Option<f64>)| reading.is_some() && readings.get(*at) == Some(*reading);
+        let there = || row.readings.iter().enumerate().filter(|(_, reading)| reading.is_some());
+        self.replaced += there().count() - there().filter(kept).count();
         row.readings = readings;
         Ok(())
     }
@@ -165,6 +176,7 @@ impl SheetFile {
         let response = CalibrateEnterResponse {
             sheet: self.path.clone(),
             entered: self.entered,
+            replaced: self.replaced,
             readings: cells().flatten().count(),
             missing: cells().filter(|reading| reading.is_none()).count(),
         };

@@ -45,16 +45,22 @@ pub fn left_out(left: &LeftOut) -> String {
         }
         LeftOutReason::OtherSide => format!("{read} is to the other side than was commanded, {expected}"),
         LeftOutReason::Unit(unit) => {
-            let unit = match unit {
-                OtherUnit::Radians => "in radians",
-                OtherUnit::Inches => "in inches",
-                OtherUnit::Centimetres => "in centimetres",
-                OtherUnit::InnerAngle => "the angle between the legs instead of the bend",
-            };
-            format!("{read} seems to be {unit}; about {expected} was to be expected")
+            format!("{read} seems to be {}; about {expected} was to be expected", other_unit(unit))
         }
         LeftOutReason::NoBend => {
             "nothing stayed of this bend, which tells only that the wire took back all of it".to_owned()
+        }
+    }
+}
+
+/// What a reading is instead of what it should be.
+const fn other_unit(unit: OtherUnit) -> &'static str {
+    match unit {
+        OtherUnit::Radians => "in radians",
+        OtherUnit::Inches => "in inches",
+        OtherUnit::Centimetres => "in centimetres",
+        OtherUnit::InnerAngle => {
+            "the angle between the legs instead of the bend, which is 0° where the wire is straight"
         }
     }
 }
@@ -103,7 +109,7 @@ pub fn gap(gap: &Gap) -> String {
             "all sides were fed the same, {feed}: what they lack is shared out between the feed and the K-factor; measure another length"
         ),
         Gap::FewAngles { needed } => format!(
-            "a curve of the springback needs {needed} different angles of each side that was bent: a constant is fitted"
+            "a curve of the springback needs {needed} different angles of each side that was bent: none is made of fewer"
         ),
         Gap::NoReversal => {
             "no turn goes back: the offset of turns is fitted, and the backlash of the head is not determined"
@@ -167,10 +173,14 @@ pub fn neutral_fibre(k_factor: f64, lines: &[usize]) -> String {
 #[must_use]
 pub fn refusal(error: &CalibrationError) -> String {
     match error {
-        CalibrationError::NoReadings { given: 0 } => {
+        CalibrationError::NoReadings { given: 0, .. } => {
             format!("the sheet has no readings: not one cell is filled in; {ENOUGH}")
         }
-        CalibrationError::NoReadings { given } => {
+        CalibrationError::NoReadings { given, reason: Some(LeftOutReason::Unit(unit)) } => {
+            let readings = count(*given, "reading", "readings");
+            format!("none of {readings} can be fitted: each seems to be {}", other_unit(*unit))
+        }
+        CalibrationError::NoReadings { given, .. } => {
             format!("none of {} can be fitted; {ENOUGH}", count(*given, "reading", "readings"))
         }
         CalibrationError::Geometry(error) => super::error::peg_geometry(error),

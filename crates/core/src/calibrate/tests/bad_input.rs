@@ -57,7 +57,7 @@ fn without_any_reading_nothing_is_fitted_and_what_was_measured_is() {
     }
     let nothing = Measurements { angles: angles.clone(), ..Measurements::default() };
     let refused = calibrate(&published(), &nothing, ShapeChoice::Better).unwrap_err();
-    assert_eq!(refused, CalibrationError::NoReadings { given: 0 });
+    assert_eq!(refused, CalibrationError::NoReadings { given: 0, reason: None });
 
     let model = FeedModel::new(mm(1.5), mm(3.0), 0.33);
     let lengths = sides(&truth(), &model, 1.0, 0.05, &mut Normals::new(5));
@@ -128,4 +128,27 @@ fn a_curve_that_few_angles_cannot_tell_is_a_constant() {
     let found = calibrate(&published(), &measured, ShapeChoice::Fixed(SpringbackShape::Cubic)).unwrap();
     assert!(found.gaps.contains(&Gap::FewAngles { needed: 4 }), "{:?}", found.gaps);
     assert_eq!(found.bends.unwrap().shape, SpringbackShape::Constant);
+}
+
+/// A protractor shows the angle between the legs. A table of nothing else was fitted: with a springback below zero, and dimensions a third of what
+/// they are.
+#[test]
+fn a_table_of_inner_angles_is_no_machine() {
+    let ladder = |seed, loss: f64| {
+        let truth = machine([22.44, 10.8, 3.3, 5.14], loss);
+        ladder(&truth, &[20.0, 40.0, 60.0, 80.0, 100.0, 120.0, 135.0], 2, 0.5, &mut Normals::new(seed))
+    };
+    for seed in 0..20 {
+        for loss in [3.0, 11.25, 25.0] {
+            let mut angles = ladder(seed, loss);
+            for reading in angles.iter_mut().flat_map(|sample| sample.readings.iter_mut().flatten()) {
+                *reading = deg(180.0 - reading.abs().deg());
+            }
+            let measured = Measurements { angles, ..Measurements::default() };
+            let refused = calibrate(&published(), &measured, ShapeChoice::Better).unwrap_err();
+            let reason = Some(LeftOutReason::Unit(OtherUnit::InnerAngle));
+            assert_eq!(refused, CalibrationError::NoReadings { given: 28, reason }, "{seed} {loss}");
+            assert!(fit(ladder(seed, loss)).left_out.is_empty(), "{seed} {loss}");
+        }
+    }
 }
