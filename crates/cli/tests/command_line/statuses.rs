@@ -1,6 +1,6 @@
 //! Exit statuses, help, and how the program behaves between others.
 
-use crate::{example, run, run_in, wirebend};
+use crate::{assert_fits, example, run, run_in, wirebend};
 
 #[test]
 fn statuses_tell_whose_turn_it_is() {
@@ -203,4 +203,32 @@ fn accepted_doublings_are_kept_where_they_suffice_and_their_loss_is_said() {
     let replaced = run_in(folder.path(), &arguments, b"").json();
     assert_eq!(replaced["route"]["doubled_edges"], 3, "{replaced}");
     assert!(replaced["notes"].to_string().contains("doublings-replaced"), "{}", replaced["notes"]);
+}
+
+/// A script reads the standard output, whatever is wrong.
+#[test]
+fn wrong_arguments_are_an_object_too() {
+    let house = example("house.obj");
+    for (arguments, said) in [
+        (&["plan", "--json"][..], "the following required arguments were not provided:\n  <WIREFRAME>"),
+        (&["nonsense", "--json"], "unrecognized subcommand 'nonsense'"),
+        (&["--json", "plan", &house, "--colour", "red"], "unexpected argument '--colour' found"),
+    ] {
+        let ran = run(arguments).ended(2);
+        let found = ran.json();
+        assert_fits("error", &found);
+        assert_eq!((&found["error"]["code"], &found["error"]["message"]), (&"usage".into(), &said.into()));
+        assert_eq!(ran.err, "");
+    }
+    // What is asked for is no failure, and a name of a file is no option.
+    assert!(run(&["--json", "--version"]).ended(0).out.starts_with(b"wirebend "));
+    assert!(run(&["plan", "--", "--json", "x"]).ended(2).err.starts_with("error: unexpected argument"));
+}
+
+/// It was taken for an option, with a hint that does not help.
+#[test]
+fn a_number_below_zero_is_the_value_of_its_option() {
+    let house = example("house.obj");
+    let ran = run(&["plan", &house, "--machine", "wirebend-kit", "--scale", "-1"]).ended(2);
+    assert!(ran.err.starts_with("error: scale is -1, expected a number above 0"), "{}", ran.err);
 }
