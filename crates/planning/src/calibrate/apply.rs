@@ -70,6 +70,8 @@ pub fn apply(
     let today = SystemClock::default().stamp();
     let today = today.split('T').next().unwrap_or_default();
     let found = Values { fitted: &fitted, date: request.date.as_deref().unwrap_or(today) };
+    machine.set("name", calibrated_name(fitted.setup.machine_name(), found.date).into())?;
+    material.set("name", calibrated_name(fitted.setup.material_name(), found.date).into())?;
     for (key, value) in found.of_machine() {
         machine.set(key, value)?;
     }
@@ -102,4 +104,13 @@ pub fn apply(
         files: vec![material.save()?, machine.save()?],
         report: fitted.report.clone(),
     })
+}
+
+/// What comes between the name of a profile and the day of its calibration.
+const CALIBRATED: &str = ", calibrated ";
+
+/// The name of a profile that was calibrated on a day: of one that was calibrated before, the last day counts.
+fn calibrated_name(before: &str, date: &str) -> String {
+    let name = before.split_once(CALIBRATED).map_or(before, |(name, _)| name);
+    format!("{name}{CALIBRATED}{date}")
 }
