@@ -22,6 +22,7 @@ mod resume;
 mod run;
 mod time_estimator;
 mod wire_job;
+mod work_time;
 
 pub use clock::{Clock, SystemClock, is_day, stamp_to_ms, stamped};
 pub use entry::{Entry, EntryKind, Heading, Piece, ToldBy};

@@ -75,7 +75,7 @@ pub struct Overview {
     pub sent: u32,
     /// The last that is done.
     pub made: u32,
-    /// Since this run was begun, with pauses.
+    /// How long the machine was at work on it, in all of its parts, without pauses.
     pub elapsed: Duration,
     /// What is estimated to be left, without pauses.
     pub remaining: Duration,

@@ -38,7 +38,7 @@ pub struct WireProgress {
     pub sent: u32,
     /// How many there are.
     pub of: u32,
-    /// Since it was begun or resumed, with pauses.
+    /// How long the machine was at work on it, in all of its parts, without pauses.
     pub elapsed: Duration,
     /// What is estimated to be left, without pauses.
     pub remaining: Duration,

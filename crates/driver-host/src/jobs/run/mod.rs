@@ -5,9 +5,6 @@ mod in_doubt;
 mod pausing;
 mod play;
 mod send_window;
-
-use std::time::Duration;
-
 use wirebend_driver_api::{Event, ResumeState, Run, Step};
 
 use super::clock::Clock;
@@ -20,6 +17,7 @@ use super::record::Record;
 use super::resume::{Resume, Settled};
 use super::time_estimator::TimeEstimator;
 use super::wire_job::{StepTime, WireJob};
+use super::work_time::WorkTime;
 use crate::error::advice_of;
 use crate::session::{Armed, Permit, Phase, Session, StopHandle, turned};
 use send_window::SendWindow;
@@ -33,7 +31,7 @@ pub struct JobRun {
     journal: Journal,
     work: WireJob,
     clock: Box<dyn Clock>,
-    begun: Duration,
+    time: WorkTime,
     estimator: TimeEstimator,
     armed: Option<Armed>,
     window: SendWindow,
@@ -72,7 +70,7 @@ impl JobRun {
             let what = EntryKind::Connected { identity: session.identity().to_owned(), resume };
             journal.add(Entry { at: clock.stamp(), what })?;
         }
-        let begun = clock.now();
+        let (time, begun) = (WorkTime::of(journal.entries()), clock.now());
         let estimates = work.estimates.iter().map(StepTime::total).collect();
         let mut estimator = TimeEstimator::new(estimates, work.run.steps);
         if let Some(percent) = session.snapshot().speed_percent {
@@ -84,7 +82,7 @@ impl JobRun {
             journal,
             work,
             clock,
-            begun,
+            time,
             estimator,
             armed,
             window,
@@ -343,7 +341,7 @@ impl JobRun {
             of: self.work.run.steps,
             sent: state.accepted,
             made: state.done,
-            elapsed: now.saturating_sub(self.begun),
+            elapsed: self.time.until(now),
             remaining: self.estimator.remaining(state.done, now),
             phase: self.session.phase(),
             standing: state.standing,
@@ -379,6 +377,7 @@ impl JobRun {
     }
 
     fn note(&mut self, what: EntryKind) -> Result<(), JobError> {
+        self.time.take(&what, self.clock.now());
         Ok(self.journal.add(Entry { at: self.clock.stamp(), what })?)
     }
 
