@@ -733,6 +733,10 @@ export type Decision =
       part: PartOfStep;
     };
 /**
+ * What a sequence is written as.
+ */
+export type SequenceFormat = "wirebend" | "framefab" | "assembly-instances" | "vtk";
+/**
  * What is placed at once.
  */
 export type GroupBy = "edge" | "wire";
@@ -1813,6 +1817,11 @@ export interface SequenceDesign {
    * How far a joint may be from where it is drawn, mm; absent, what the head still meets.
    */
   epsilon_mm?: number | null;
+  /**
+   * A file with the order to check.
+   */
+  file?: string | null;
+  format?: SequenceFormat;
   group_by?: GroupBy;
   /**
    * How long is searched, s; absent, 120.
@@ -1827,9 +1836,13 @@ export interface SequenceDesign {
    */
   material?: string | null;
   /**
-   * The order to check; absent, one is looked for.
+   * The order to check; absent, that of `file`, or one is looked for.
    */
   order?: OrderedStep[] | null;
+  /**
+   * Where an order goes that can be built.
+   */
+  output?: Output | null;
 }
 /**
  * A step where a person wants it.

@@ -1,10 +1,13 @@
 //! The order in which a machine builds the struts of the open design: looking for one, and checking one that a person has changed.
 
 use std::cell::Cell;
+use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use wirebend_planning::design::Input;
 use wirebend_planning::frame::FrameSupports;
+use wirebend_planning::output::Output;
 use wirebend_planning::sequence::{
     CostName, DrawnSequence, GroupBy, OrderedStep, SequenceFormat, drawn_sequence,
 };
@@ -27,8 +30,15 @@ pub struct SequenceDesign {
     pub group_by: GroupBy,
     /// How long is searched, s; absent, 120.
     pub limit_s: Option<f64>,
-    /// The order to check; absent, one is looked for.
+    /// The order to check; absent, that of `file`, or one is looked for.
     pub order: Option<Vec<OrderedStep>>,
+    /// A file with the order to check.
+    pub file: Option<PathBuf>,
+    /// Where an order goes that can be built.
+    pub output: Option<Output>,
+    /// What it is written as.
+    #[serde(default)]
+    pub format: SequenceFormat,
 }
 
 /// Stops the search for a sequence that is under way.
@@ -53,14 +63,14 @@ impl Workspace {
             material: asked.material.clone(),
             supports: FrameSupports::Design,
             epsilon_mm: asked.epsilon_mm,
-            check: None,
-            layers: asked.order.is_none(),
+            check: asked.file.clone().filter(|_| asked.order.is_none()).map(Input::File),
+            layers: asked.order.is_none() || asked.output.is_some(),
             group_by: asked.group_by,
             cost: CostName::Sharing,
             limit_s: asked.limit_s,
             seed: None,
-            output: None,
-            format: SequenceFormat::default(),
+            output: asked.output.clone(),
+            format: asked.format,
         };
         let drawn = drawn_sequence(&self.installation(), &request, asked.order.as_deref(), &search)?;
         Ok(DrawnSequence { stopped: !search.goes_on(), ..drawn })

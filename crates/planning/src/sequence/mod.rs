@@ -179,7 +179,11 @@ fn run(
         };
         answer.took("check", since);
         let given = given::with_free_foremost(given, &checked);
-        let response = answer.checked(&task, &given, &checked);
+        let mut response = answer.checked(&task, &given, &checked);
+        if let Some(output) = request.output.as_ref().filter(|_| response.feasible) {
+            let text = write::text(request.format, &response, None, &opened, &setup.material)?;
+            response.files.push(output.save(text.as_bytes())?);
+        }
         drawing.moves(&structure, &response, None);
         return Ok((response, drawing));
     }
@@ -200,7 +204,7 @@ fn run(
     answer.took("check", since);
     let mut response = answer.found(&task, &outcome, refused);
     if let Some(output) = request.output.as_ref().filter(|_| response.feasible) {
-        let text = write::text(request.format, &response, &task, &outcome, &opened, &setup.material)?;
+        let text = write::text(request.format, &response, Some((&task, &outcome)), &opened, &setup.material)?;
         response.files.push(output.save(text.as_bytes())?);
     }
     drawing.moves(&structure, &response, Some(&outcome));

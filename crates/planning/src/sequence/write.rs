@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use wirebend_core::checks::sequence::StepKind;
+use wirebend_core::wireframe::EdgeId;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -10,7 +11,7 @@ use wirebend_files::read::frame::{SequenceFile, SequenceStep, StrutKind};
 use wirebend_files::write::frame::{BuiltMember, assembly_instances, framefab_sequence, vtk};
 use wirebend_sequence::{Outcome, Step, Task};
 
-use super::report::SequenceResponse;
+use super::report::{SequenceResponse, SequenceStepReport};
 use crate::PlanningError;
 use crate::design::Opened;
 use crate::frame::{FrameMaterial, built_result};
@@ -30,11 +31,11 @@ pub enum SequenceFormat {
     Vtk,
 }
 
+/// The text of a sequence that can be built. `found`: how it was found, with all free directions; none of an order that was checked.
 pub(super) fn text(
     format: SequenceFormat,
     response: &SequenceResponse,
-    task: &Task<'_>,
-    outcome: &Outcome,
+    found: Option<(&Task<'_>, &Outcome)>,
     opened: &Opened,
     material: &FrameMaterial,
 ) -> Result<String, PlanningError> {
@@ -45,6 +46,14 @@ pub(super) fn text(
             text
         }
         SequenceFormat::Framefab => {
+            let Some((task, outcome)) = found else {
+                return Err(PlanningError::Value {
+                    input: None,
+                    name: "format",
+                    value: "framefab".to_owned(),
+                    expected: "another one: files of FrameFab have all free directions, which an order that is checked does not tell",
+                });
+            };
             let steps: Result<Vec<SequenceStep>, _> =
                 outcome.steps.iter().map(|step| framefab_step(task, step)).collect();
             framefab_sequence(&SequenceFile { base_centre: None, steps: steps? })
@@ -54,9 +63,8 @@ pub(super) fn text(
             assembly_instances(&opened.document.wireframe, &built, &BTreeMap::new(), None, None)
         }
         SequenceFormat::Vtk => {
-            let steps = (1..).zip(&outcome.steps).flat_map(|(number, step)| {
-                step.struts.iter().map(move |&strut| (task.structure.struts()[strut].edge, number))
-            });
+            let steps = (1..).zip(&response.steps);
+            let steps = steps.flat_map(|(number, step)| edges(step).map(move |edge| (edge, number)));
             vtk(&built_result(opened, material, &steps.collect())?.unwrap_or_default())
         }
     })
@@ -93,13 +101,16 @@ fn built(response: &SequenceResponse) -> Vec<BuiltMember> {
         layer_of.extend(edges.iter().map(|&edge| (edge, layer)));
     }
     let steps = (0_i64..).zip(&response.steps);
-    let members = steps.flat_map(|(number, step)| {
-        let edges = if step.edges.is_empty() { vec![step.edge] } else { step.edges.clone() };
-        edges.into_iter().map(move |edge| (number, edge))
-    });
-    let member = |(number, edge): (i64, u32)| BuiltMember {
-        edge: wirebend_core::wireframe::EdgeId(edge),
-        layer: layer_of.get(&edge).copied().unwrap_or(number),
+    let members = steps.flat_map(|(number, step)| edges(step).map(move |edge| (number, edge)));
+    let member = |(number, edge): (i64, EdgeId)| BuiltMember {
+        edge,
+        layer: layer_of.get(&edge.0).copied().unwrap_or(number),
     };
     members.map(member).collect()
+}
+
+/// The edges that a step builds.
+fn edges(step: &SequenceStepReport) -> impl Iterator<Item = EdgeId> {
+    let edges = if step.edges.is_empty() { vec![step.edge] } else { step.edges.clone() };
+    edges.into_iter().map(EdgeId)
 }

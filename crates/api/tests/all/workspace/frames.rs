@@ -140,6 +140,17 @@ fn a_sequence_is_found_drawn_and_changed() {
     let same = window.ask("sequence", same);
     assert_eq!(same["sequence"]["feasible"], true);
     assert_eq!(task.faults(&Step::printed(&same["sequence"])), []);
+    // It is kept in a file, from which it is read again.
+    let file = window.home.path().join("order.json");
+    let mut kept = asked.clone();
+    kept["order"] = order([0, 1, 2, 3]);
+    kept["output"] = json!({"path": file});
+    assert_eq!(window.ask("sequence", kept.clone())["sequence"]["feasible"], true);
+    assert_eq!(window.try_ask("sequence", kept).unwrap_err().code, "exists");
+    let mut again = asked.clone();
+    again["file"] = json!(file);
+    let again = window.ask("sequence", again);
+    assert_eq!((&again["sequence"]["feasible"], &again["moves"]), (&json!(true), &same["moves"]));
     // Ground struts come first, and the last one needs both vertices.
     let mut changed = asked;
     changed["order"] = order([3, 0, 1, 2]);
