@@ -57,6 +57,26 @@ fn a_head_that_nobody_measured_is_named_where_it_matters() {
     assert!(on("mine", "head_not_measured").is_empty());
 }
 
+/// What is typed as one types it elsewhere: the error says how it is typed here.
+#[test]
+fn a_figure_that_is_no_number_is_refused_as_it_was_typed() {
+    let folder = tempfile::tempdir().unwrap();
+    let set = |value: &str| {
+        let own =
+            ["profile", "set", "mine", "--from", "grbl-bender", "--kind", "machine", "--source", "by me"];
+        run_in(folder.path(), &[&own[..], &[value]].concat(), b"")
+    };
+    for typed in ["bend.pin_radius_mm=2,5", "bend.pin_radius_mm=2.5mm"] {
+        let said = set(typed).ended(2).err;
+        let wanted = format!(
+            "error: a value is '{typed}', expected a number, with a point before its decimals; its unit"
+        );
+        assert!(said.starts_with(&wanted), "{said}");
+    }
+    set("bend.pin_radius_mm=2.5").ended(0);
+    set("default_material=steel-1mm").ended(0);
+}
+
 /// 362.14 MPa · 27 mm³ / 6 = 1.630 N·m, of which an axis should have one and a half times.
 #[test]
 fn an_axis_that_is_hardly_strong_enough_for_the_wire_is_warned_of() {

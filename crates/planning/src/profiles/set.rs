@@ -89,6 +89,10 @@ pub fn set(
         let (key, text) = assignment.split_once('=').ok_or_else(|| wrong("a value", assignment, expected))?;
         let (key, text) = (key.trim(), text.trim());
         let value: Value = serde_json::from_str(text).unwrap_or_else(|_| json!(text));
+        if value.is_string() && is_figure(&schema, key) && is_number(&schema, key) {
+            let expected = "a number, with a point before its decimals; its unit is in the name of the key";
+            return Err(wrong("a value", assignment, expected));
+        }
         let found = before.iter().find(|value| value.key == key);
         let found = found.map(|value| value.value.clone()).unwrap_or_default();
         let source = (request.source.as_str(), request.measured);
@@ -168,15 +172,23 @@ pub(crate) fn sourced(value: &Value, source: &str, measured: bool) -> Value {
 
 /// Whether a schema has a figure with a source under a dotted key.
 fn is_figure(schema: &Value, key: &str) -> bool {
+    let properties = properties_of(schema, key);
+    ["value", "source", "measured"].iter().all(|key| properties.is_some_and(|all| all.get(key).is_some()))
+}
+
+/// Whether that is a number.
+fn is_number(schema: &Value, key: &str) -> bool {
+    let value = properties_of(schema, key).and_then(|all| all.get("value"));
+    value.is_some_and(|value| resolved(schema, value).get("type") == Some(&json!("number")))
+}
+
+/// What may stand under a dotted key.
+fn properties_of<'a>(schema: &'a Value, key: &str) -> Option<&'a Value> {
     let mut at = schema;
     for part in key.split('.') {
-        let Some(next) = resolved(schema, at).get("properties").and_then(|all| all.get(part)) else {
-            return false;
-        };
-        at = next;
+        at = resolved(schema, at).get("properties")?.get(part)?;
     }
-    let properties = resolved(schema, at).get("properties");
-    ["value", "source", "measured"].iter().all(|key| properties.is_some_and(|all| all.get(key).is_some()))
+    resolved(schema, at).get("properties")
 }
 
 /// What a part of a schema stands for: an optional value is one of two, a shared one is named.
