@@ -5,7 +5,7 @@ use std::time::Duration;
 use wirebend_driver_api::{ArmedReply, Axis, Batch, DriverError, Motion, Run, Sent, Step};
 
 use super::fault;
-use super::machine::{Activity, FASTEST, Halt, Homing, Machine, session_id};
+use super::machine::{Activity, FASTEST, Halt, HeadReference, Homing, Machine, session_id};
 use super::wire_progress::{Token, WireProgress};
 use crate::link::Request;
 use crate::protocol::{SETTINGS, State};
@@ -58,16 +58,35 @@ impl Machine {
         self.require_rest("run a job")?;
         self.require_homed()?;
         let token = Token { session: session_id(self.link.session()), boots: self.boots, after: run.after };
-        self.renew(token.session, now);
-        self.token = Some(token);
         let rotate_at = steps(run.rotate_at_deg * self.rotate_steps_per_deg());
+        let turn = self.turn_to(rotate_at);
         self.wire = Some(WireProgress::new(run, rotate_at));
-        self.activity = Activity::Arming;
+        if turn == 0 {
+            self.open_for_wire(token.session, now);
+        } else {
+            let line = self.link.line(b'M', &[0, turn, 0]);
+            self.activity = Activity::Turning { line, session: token.session };
+        }
+        self.token = Some(token);
         Ok(ArmedReply { token: Some(token.to_string()) })
     }
 
+    /// How far the head has to be turned before a wire, steps. The play of a head is taken up by a turn of its own alone.
+    fn turn_to(&self, rotate_at: i32) -> i32 {
+        let known = self.status.filter(|_| rotate_at != 0 && self.head != HeadReference::Lost);
+        known.map_or(0, |status| rotate_at - status.position[1])
+    }
+
+    /// Opens the session of a wire.
+    pub(super) fn open_for_wire(&mut self, session: u16, now: Duration) {
+        self.renew(session, now);
+        self.activity = Activity::Arming;
+    }
+
     pub fn send(&mut self, batch: &Batch) -> Result<Sent, DriverError> {
-        let (Some(wire), Activity::Arming | Activity::Running) = (&self.wire, self.activity) else {
+        let (Some(wire), Activity::Turning { .. } | Activity::Arming | Activity::Running) =
+            (&self.wire, self.activity)
+        else {
             return Err(DriverError::new("not-armed", "the machine is not armed for a wire", "arm it"));
         };
         let (mut given, done) = (wire.given, wire.done);
@@ -79,7 +98,7 @@ impl Machine {
             if step.n != given + 1 {
                 return Err(fault::gap(given, step.n));
             }
-            if self.activity == Activity::Arming || step.n > done + AHEAD {
+            if self.activity != Activity::Running || step.n > done + AHEAD {
                 break;
             }
             lines.push((step.step, self.line_of(step.n, step.step)?, self.approach_of(step.n, step.step)?));
@@ -96,7 +115,7 @@ impl Machine {
             }
             wire.closed |= batch.last && all && self.activity == Activity::Running;
         }
-        let free = if self.activity == Activity::Arming { 0 } else { (done + AHEAD).saturating_sub(given) };
+        let free = if self.activity == Activity::Running { (done + AHEAD).saturating_sub(given) } else { 0 };
         Ok(Sent { accepted: given, free })
     }
 
@@ -234,7 +253,9 @@ impl Machine {
             Activity::Connecting => Err(fault::busy(what, "it is connecting")),
             Activity::Closed => Err(fault::busy(what, "the connection is lost")),
             Activity::Homing(_) => Err(fault::busy(what, "it is homing")),
-            Activity::Arming | Activity::Running => Err(fault::busy(what, "it is running a job")),
+            Activity::Turning { .. } | Activity::Arming | Activity::Running => {
+                Err(fault::busy(what, "it is running a job"))
+            }
             Activity::Jogging(_) => Err(fault::busy(what, "it is jogging")),
             Activity::StoringSettings => Err(fault::busy(what, "it is storing settings")),
             Activity::Typing(_) => Err(fault::busy(what, "a typed line is not answered yet")),

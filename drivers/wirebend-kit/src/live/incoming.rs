@@ -36,7 +36,7 @@ impl Machine {
                     *accepted |= n >= *line;
                 }
             }
-            MachineEvent::Done(n) => self.done(n),
+            MachineEvent::Done(n) => self.done(n, now),
             MachineEvent::Status(status) => self.stands(status),
             MachineEvent::Answered(Request::Head(_)) => {
                 self.head = HeadReference::Unknown;
@@ -123,12 +123,17 @@ impl Machine {
         }
     }
 
-    fn done(&mut self, n: u32) {
+    fn done(&mut self, n: u32, now: Duration) {
         match self.activity {
             Activity::Homing(Homing::Searching { line, .. }) if n >= line => {
                 self.activity = Activity::Homing(Homing::ReadingHead);
             }
             Activity::Homing(Homing::Returning { line }) if n >= line => self.homed(),
+            Activity::Turning { line, session } if n >= line => {
+                let token = self.token;
+                self.open_for_wire(session, now);
+                self.token = token;
+            }
             Activity::Jogging(line) if n >= line => {
                 self.activity = Activity::Idle;
                 self.report(Event::Jogged);

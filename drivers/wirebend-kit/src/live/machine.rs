@@ -26,6 +26,11 @@ pub(super) enum Activity {
     Connecting,
     Idle,
     Homing(Homing),
+    /// Until this line has turned the head to where the rest of a wire goes on; then the session of the wire is opened.
+    Turning {
+        line: u32,
+        session: u16,
+    },
     /// Until the session of a wire is open and the controller has the position of the head.
     Arming,
     /// A wire is being bent.
