@@ -2,10 +2,7 @@
 
 use wirebend_driver_api::Axis;
 
-use super::SessionError;
-
-/// Below this a sum of turns is rounding, degrees.
-const ROUNDING_DEG: f64 = 1e-6;
+use super::{ROUNDING_DEG, SessionError};
 
 /// How far the head and the bend axis are from where a wire has to start, degrees, in the machine's signs.
 ///

@@ -9,7 +9,7 @@ use wirebend_driver_api::{Axis, Event, HeadBy, Motion, NumberedStep, ReferenceBy
 use super::{Session, SessionError};
 
 /// Below this a turn is rounding, degrees.
-const ROUNDING_DEG: f64 = 1e-6;
+pub(crate) const ROUNDING_DEG: f64 = 1e-6;
 
 /// Closer than this the head is at its zero, degrees: finer than any of these machines turns it, and than a person reads.
 const AT_ZERO_DEG: f64 = 0.05;

@@ -32,6 +32,7 @@ pub use armed::Armed;
 use axes::AxisOffsets;
 pub use error::SessionError;
 use head::Head;
+pub(crate) use head::ROUNDING_DEG;
 pub use head::{HeadKeeper, HeadPlace};
 pub(crate) use motions::turned;
 pub use orders::{Because, OrderName, Orders, RefusedOrder};

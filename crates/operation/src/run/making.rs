@@ -63,8 +63,8 @@ impl Watch {
 /// A wire that a simulated machine has bent, beside its design.
 struct Bent {
     corners_mm: Vec<[f64; 3]>,
-    /// How far each vertex of the design is from it.
-    deviations_mm: Vec<f64>,
+    /// How far each vertex of the design is from it, where they can be found on it.
+    deviations_mm: Option<Vec<f64>>,
 }
 
 /// What was heard besides what the journal has.
@@ -135,7 +135,7 @@ impl Making<'_, '_> {
         }
         heard.stopped_by = heard.stopped_by.or(stop.map(|outcome| outcome.by));
         let made = self.made(&heard)?;
-        let deviations_mm = made.as_ref().map(|made| made.deviations_mm.clone());
+        let deviations_mm = made.as_ref().and_then(|made| made.deviations_mm.clone());
         if let Some(Bent { corners_mm, deviations_mm }) = made {
             self.run.note_made(corners_mm, deviations_mm).map_err(LiveProblem::from)?;
         }
@@ -304,14 +304,14 @@ impl Making<'_, '_> {
         Ok(())
     }
 
-    /// The corners of the wire beside the design, and how far each is from it.
+    /// The wire as a simulated machine has bent it.
     fn made(&self, heard: &Heard) -> Result<Option<Bent>, OperationError> {
         if heard.corners_mm.is_empty() {
             return Ok(None);
         }
         let kept = KeptWire::new(&self.task.file, self.task.wire(self.wire)?, &self.task.setup)?;
         let corners_mm = kept.wire(&heard.corners_mm).into_iter().map(Into::into).collect();
-        Ok(kept.deviations_mm(&heard.corners_mm).map(|deviations_mm| Bent { corners_mm, deviations_mm }))
+        Ok(Some(Bent { corners_mm, deviations_mm: kept.deviations_mm(&heard.corners_mm) }))
     }
 
     /// Writes the record.

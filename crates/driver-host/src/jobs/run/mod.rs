@@ -5,6 +5,7 @@ mod in_doubt;
 mod pausing;
 mod play;
 mod send_window;
+
 use wirebend_driver_api::{Event, ResumeState, Run, Step};
 
 use super::clock::Clock;
@@ -116,7 +117,14 @@ impl JobRun {
             }
             Resume::Reattach { .. } => {
                 self.catch_up()?;
-                let (run, begun) = (self.work.run.clone(), self.journal_state().part.rotate_deg);
+                let JournalState { done, part, .. } = *self.journal_state();
+                // The step in hand is the one in which the wire went on.
+                if self.armed_after() == Some(done) {
+                    let more = play::turns_more(&self.work.steps, done, part, self.work.head_play_deg);
+                    self.turns_more = (done + 1, more);
+                }
+                let begun = part.rotate_deg - self.turns_more_in(done + 1);
+                let run = self.work.run.clone();
                 let armed = self.session.reattach(run, &self.work.steps, begun, permit)?;
                 self.begun(armed, true)?;
                 self.resume_where_it_holds()?;
@@ -245,8 +253,9 @@ impl JobRun {
                 if self.journal_state().in_doubt().is_some_and(|steps| *steps.start() == n) =>
             {
                 // It tells what it has done of what it was sent.
+                let more = self.turns_more_in(n);
                 let of_step =
-                    |made: Step| Step { rotate_deg: made.rotate_deg - self.turns_more_in(n), ..made };
+                    |made: Step| Step { rotate_deg: play::turned_of_step(made.rotate_deg, more), ..made };
                 self.note(EntryKind::PartMade { n, made: made.map(of_step), exact })?;
             }
             Event::Speed { percent } => self.estimator.goes_at(percent, now),
@@ -300,12 +309,17 @@ impl JobRun {
         self.note(EntryKind::Abandoned)
     }
 
-    /// Writes down where each corner lies beside the design, which stands for what the machine has told, and how far it is from it, mm.
+    /// Writes down where each corner lies beside the design, which stands for what the machine has told, and how far each vertex of the design
+    /// is from the wire, mm, where it can be found on it.
     ///
     /// # Errors
     /// [`JobError::Journal`].
-    pub fn note_made(&mut self, corners_mm: Vec<[f64; 3]>, deviations_mm: Vec<f64>) -> Result<(), JobError> {
-        self.note(EntryKind::Made { corners_mm, deviations_mm: Some(deviations_mm) })
+    pub fn note_made(
+        &mut self,
+        corners_mm: Vec<[f64; 3]>,
+        deviations_mm: Option<Vec<f64>>,
+    ) -> Result<(), JobError> {
+        self.note(EntryKind::Made { corners_mm, deviations_mm })
     }
 
     /// Whether the machine still runs steps, or would after a resume.
@@ -368,6 +382,14 @@ impl JobRun {
     #[must_use]
     pub fn into_parts(self) -> (Session, Journal) {
         (self.session, self.journal)
+    }
+
+    /// After which step the wire was begun or resumed last; nothing before that.
+    fn armed_after(&self) -> Option<u32> {
+        self.journal.entries().iter().rev().find_map(|entry| match entry.what {
+            EntryKind::Armed { after, resumed: false, .. } => Some(after),
+            _ => None,
+        })
     }
 
     /// How much more than its rest a step turns, since the wire goes on in it.

@@ -3,23 +3,31 @@
 use wirebend_driver_api::Step;
 
 use super::super::part::Part;
+use crate::session::ROUNDING_DEG;
 
 /// The drive goes so much farther than the play is, degrees: how large that is is not known exactly.
 const BEYOND_DEG: f64 = 1.0;
-/// A turn that is there by rounding alone turns no head.
-const NO_TURN_DEG: f64 = 1e-6;
 
 /// How much more the step after the first `done` turns where a wire goes on within it: the head, which was put to zero since, stands so far
-/// before, and so takes up its play as it did when it came there first. Zero where the rest of the step does that.
+/// before, and so takes up its play as it did when it came there first. Zero where the rest of the step does that, and for a new wire.
+/// No more than the last turn was: so far the head can stand.
 pub(super) fn turns_more(steps: &[Step], done: u32, part: Part, play_deg: f64) -> f64 {
-    let count = usize::try_from(done).unwrap_or(usize::MAX).saturating_add(1);
-    let turns = || steps.iter().take(count).map(|step| step.rotate_deg);
-    let Some(last) = turns().rfind(|turn| turn.abs() > NO_TURN_DEG).filter(|_| play_deg > 0.0) else {
+    if play_deg <= 0.0 || (done == 0 && part == Part::default()) {
         return 0.0;
-    };
+    }
+    let count = usize::try_from(done).unwrap_or(usize::MAX).saturating_add(1);
+    let mut turns = steps.iter().take(count).map(|step| step.rotate_deg);
+    let Some(last) = turns.rfind(|turn| turn.abs() > ROUNDING_DEG) else { return 0.0 };
     let rest = steps.get(count - 1).map_or(0.0, |step| step.rotate_deg - part.rotate_deg);
     let takes_up = (rest * last.signum()).max(0.0);
-    (play_deg + BEYOND_DEG - takes_up).max(0.0) * last.signum()
+    let needed = (play_deg + BEYOND_DEG).min(last.abs());
+    (needed - takes_up).max(0.0) * last.signum()
+}
+
+/// What is turned of a step that turns `more` besides: what takes up the play comes first, and is nothing of it.
+pub(super) fn turned_of_step(turned_deg: f64, more: f64) -> f64 {
+    let of_step = turned_deg - more;
+    if of_step * more < 0.0 { 0.0 } else { of_step }
 }
 
 #[cfg(test)]
@@ -53,8 +61,9 @@ mod tests {
             let steps: Vec<Step> =
                 turns.iter().map(|&rotate_deg| Step { rotate_deg, ..Step::default() }).collect();
             let part = Part { feed_mm: 0.0, rotate_deg: turns[at] * share };
-            // Smaller turns than the play leave it somewhere, which nobody knows.
-            prop_assume!(turns[..=at].iter().any(|turn| turn.abs() > play + 0.01));
+            // A turn that is smaller than the play leaves the head somewhere, which nobody knows.
+            let last = *turns[..=at].iter().rfind(|turn| **turn != 0.0).unwrap_or(&0.0);
+            prop_assume!(last.abs() > play);
             let told = |head: &mut Head, turns: &[f64]| turns.iter().map(|&by| { head.turn(by); head.stands }).collect::<Vec<f64>>();
             let mut whole = Head { drive: 0.0, stands: -play * rests, play };
             let planned = told(&mut whole, &turns);
@@ -64,13 +73,14 @@ mod tests {
             let before: f64 = turns[..at].iter().sum();
             resumed.turn(before + part.rotate_deg - more);
             resumed.turn(turns[at] - part.rotate_deg + more);
-            // The last turn that moves the head decides on which side of the play it is.
-            let last = turns[..=at].iter().rfind(|turn| **turn != 0.0).unwrap();
-            prop_assume!(last.abs() > play + 0.01);
             prop_assert!((resumed.stands - planned[at]).abs() < 1e-9, "{} instead of {}", resumed.stands, planned[at]);
-            prop_assert_eq!(told(&mut resumed, &turns[at + 1..]).len(), turns.len() - at - 1);
-            let after = planned.last().unwrap();
-            prop_assert!((resumed.stands - after).abs() < 1e-9);
+            for (made, planned) in told(&mut resumed, &turns[at + 1..]).iter().zip(&planned[at + 1..]) {
+                prop_assert!((made - planned).abs() < 1e-9, "{made} instead of {planned}");
+            }
+            // What is turned before the play is taken up is nothing of the step.
+            prop_assert!(turned_of_step(0.0, more).abs() < 1e-12);
+            let whole = turns[at] - part.rotate_deg;
+            prop_assert!((turned_of_step(whole + more, more) - whole).abs() < 1e-9);
         }
     }
 

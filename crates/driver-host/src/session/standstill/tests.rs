@@ -52,10 +52,10 @@ fn a_loss_that_several_threads_notice_is_confirmed_by_one_reply() {
             together.wait();
             answers_once(&machine);
         });
-        let begun = Instant::now();
-        while guard.standstill() == Some(Standstill::Awaited) && begun.elapsed() < Duration::from_secs(2) {
-            thread::sleep(Duration::from_millis(1));
-        }
+        let awaited = |known: &mut Known| known.standstill == Some(Standstill::Awaited);
+        let patience = Duration::from_secs(20);
+        let settled = guard.0.settled.wait_timeout_while(guard.lock(), patience, awaited).unwrap();
+        drop(settled);
         assert_eq!(guard.standstill(), Some(Standstill::Confirmed), "round {round}");
     }
 }

@@ -20,7 +20,7 @@ fn a_record_tells_what_became_of_a_wire() {
     let mut run = shop.program(json!({}), Box::new(Ticking::default()));
     shop.look_and_start(&mut run);
     super::drive(&mut run);
-    run.note_made(Vec::new(), vec![0.0, 0.25]).unwrap();
+    run.note_made(Vec::new(), Some(vec![0.0, 0.25])).unwrap();
     let record = run.record().unwrap();
     assert_eq!(
         (record.outcome, record.made, record.ended.as_deref()),
