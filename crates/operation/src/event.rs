@@ -31,7 +31,7 @@ pub enum MachineEvent {
         /// How far the machine is in the step after the last that is done, in part of the step's time, from where it reports
         /// its axes; 0 where it reports none.
         in_step: f64,
-        /// Since the wire was begun or resumed, s.
+        /// How long the machine was at work on the wire, in all of its parts, without pauses, s.
         elapsed_s: f64,
         /// What is estimated to be left, s.
         remaining_s: f64,

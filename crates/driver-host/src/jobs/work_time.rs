@@ -9,52 +9,55 @@ use super::entry::{Entry, EntryKind};
 pub(super) struct WorkTime {
     before: Duration,
     since: Option<Duration>,
-}
-
-/// Whether the machine begins to work, or rests, with what happened; nothing changes with all else.
-const fn works(what: &EntryKind) -> Option<bool> {
-    match what {
-        EntryKind::Armed { .. } | EntryKind::Resumed => Some(true),
-        EntryKind::Paused
-        | EntryKind::Stopped { .. }
-        | EntryKind::Fault { .. }
-        | EntryKind::Finished
-        | EntryKind::Abandoned => Some(false),
-        _ => None,
-    }
+    /// The last step that was sent, or was about to be.
+    sent: u32,
 }
 
 impl WorkTime {
     /// From what was written down. Where the program has ended meanwhile, it counts up to the last entry before.
     pub fn of(entries: &[Entry]) -> Self {
-        let (mut before, mut since): (Duration, Option<SystemTime>) = (Duration::ZERO, None);
-        let mut last = None;
+        let first = entries.iter().find_map(|entry| stamped(&entry.at));
+        let since_first = |at: SystemTime| first.and_then(|first| at.duration_since(first).ok());
+        let (mut time, mut last) = (Self::default(), Duration::ZERO);
         for Entry { at, what } in entries {
-            let at = stamped(at);
-            let ended = matches!(what, EntryKind::Connected { .. });
-            let until = if ended { last } else { at };
-            match (if ended { Some(false) } else { works(what) }, since) {
-                (Some(true), None) => since = at,
-                (Some(false), Some(from)) => {
-                    before += until.and_then(|until| until.duration_since(from).ok()).unwrap_or_default();
-                    since = None;
-                }
-                _ => {}
+            let now = stamped(at).and_then(since_first).unwrap_or(last);
+            if matches!(what, EntryKind::Connected { .. }) {
+                time.rests(last);
+            } else {
+                time.take(what, now);
             }
-            last = at.or(last);
+            last = now;
         }
-        Self { before, since: None }
+        time.rests(last);
+        time
     }
 
     /// Something happens.
     pub fn take(&mut self, what: &EntryKind, now: Duration) {
-        match works(what) {
-            Some(true) => {
-                self.since.get_or_insert(now);
+        match what {
+            EntryKind::Intent { to, .. } => {
+                self.sent = *to;
+                self.works(now);
             }
-            Some(false) => *self = Self { before: self.until(now), since: None },
-            None => {}
+            EntryKind::NotTaken { after } => self.sent = *after,
+            EntryKind::Resumed | EntryKind::Armed { resumed: true, .. } => self.works(now),
+            // Nothing is left in hand: it waits for a person, at a pause point or at the end.
+            EntryKind::Done { n } if *n >= self.sent => self.rests(now),
+            EntryKind::Paused
+            | EntryKind::Stopped { .. }
+            | EntryKind::Fault { .. }
+            | EntryKind::Finished
+            | EntryKind::Abandoned => self.rests(now),
+            _ => {}
         }
+    }
+
+    fn works(&mut self, now: Duration) {
+        self.since.get_or_insert(now);
+    }
+
+    fn rests(&mut self, now: Duration) {
+        (self.before, self.since) = (self.until(now), None);
     }
 
     /// All of it by now.
@@ -79,17 +82,24 @@ mod tests {
         EntryKind::Armed { token: None, after: 0, resumed: false }
     }
 
-    /// 10 s, a hold, 5 s, a stop; 20 s until the program ended, of which the last is known by a step at 12 s.
+    const fn sent(from: u32, to: u32) -> EntryKind {
+        EntryKind::Intent { from, to }
+    }
+
+    /// 10 s, a hold, 5 s, a stop; 12 s until the last that is known before the program ended. Ten minutes at a pause point after step 2, and 3 s
+    /// for the last.
     #[test]
     fn what_a_machine_waits_for_does_not_count() {
         let entries = [
             entry("00:00", connected()),
             entry("01:00", armed()),
+            entry("01:00", sent(1, 2)),
             entry("01:10", EntryKind::Paused),
             entry("02:00", EntryKind::Resumed),
             entry("02:05", EntryKind::Stopped { by: None }),
             entry("10:00", connected()),
             entry("11:00", armed()),
+            entry("11:00", sent(1, 2)),
             entry("11:12", EntryKind::Done { n: 1 }),
             entry("20:00", connected()),
         ];
@@ -97,9 +107,14 @@ mod tests {
         let mut time = WorkTime::of(&entries);
         assert_eq!(time.until(s(1000)), s(27));
         time.take(&armed(), s(1000));
-        time.take(&EntryKind::Done { n: 2 }, s(1003));
-        assert_eq!(time.until(s(1004)), s(31));
-        time.take(&EntryKind::Finished, s(1005));
-        assert_eq!(time.until(s(2000)), s(32));
+        assert_eq!(time.until(s(1001)), s(27), "it has nothing to do yet");
+        time.take(&sent(2, 2), s(1001));
+        time.take(&EntryKind::Done { n: 2 }, s(1005));
+        time.take(&EntryKind::PauseConfirmed { after: 2, note: String::new() }, s(1605));
+        time.take(&sent(3, 3), s(1605));
+        assert_eq!(time.until(s(1607)), s(33));
+        time.take(&EntryKind::Done { n: 3 }, s(1608));
+        time.take(&EntryKind::Finished, s(1609));
+        assert_eq!(time.until(s(2000)), s(34));
     }
 }

@@ -83,7 +83,7 @@ pub struct WireState {
     /// How far the machine is in the step after `made`, in part of the step's time, from where it reports its axes; 0 where
     /// it reports none.
     pub in_step: f64,
-    /// Since it was started or resumed, s.
+    /// How long the machine was at work on it, in all of its parts, without pauses, s.
     pub elapsed_s: f64,
     /// What is estimated to be left, s.
     pub remaining_s: f64,

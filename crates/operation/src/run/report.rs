@@ -86,7 +86,7 @@ pub struct WireRun {
     pub stopped_in: Option<StoppedIn>,
     /// Wire that had to be put in, in mm.
     pub stock_mm: f64,
-    /// How long it took this time, in s.
+    /// How long the machine was at work on it, in all of its parts, without pauses, s.
     pub elapsed_s: f64,
     /// What caused a stop; null without one, and for one of the machine itself.
     pub stopped_by: Option<StoppedBy>,
