@@ -123,7 +123,7 @@ pub fn schedule(
     let mut refused = None;
     for flipped in [false, true] {
         let unflipped = if flipped { Angle::HALF_TURN } else { Angle::ZERO };
-        match fastest(program, &bends, &costs, limits, (unflipped, vec![(Angle::ZERO, flipped)])) {
+        match fastest(program, (&bends, &costs, None), limits, (unflipped, vec![(Angle::ZERO, flipped)])) {
             Ok((spent, choices)) if best.as_ref().is_none_or(|(cost, _)| spent < *cost) => {
                 best = Some((spent, choices));
             }
@@ -136,17 +136,21 @@ pub fn schedule(
     {
         let mut ways = head_angles(unflipped, limits);
         ways.retain(|&(_, flipped)| is_side_made(sides[0], flipped));
-        let elsewhere = || fastest(program, &bends, &costs, limits, (unflipped, ways.clone())).ok();
+        let elsewhere = || fastest(program, (&bends, &costs, None), limits, (unflipped, ways.clone())).ok();
         let made = (!ways.is_empty()).then(elsewhere).flatten().filter(|(_, choices)| is_made(choices));
         best = made.or(best);
     }
-    // That a bend is made to a side to which it cannot is then for want of turns.
-    if let Some((_, choices)) = &best
-        && let Some(k) = (0..bends.len()).find(|&k| !is_side_made(sides[k], choices[k].flipped))
-    {
-        let wanted = (choices[k].head + Angle::HALF_TURN).wrapped();
-        let here = RotationOutOfRange { step: bends[k], wanted, min: limits.min, max: limits.max };
-        return Err(refused.unwrap_or(here));
+    // That a bend is made to a side to which it cannot is then for want of turns: the step where they end.
+    if best.as_ref().is_some_and(|(_, choices)| !is_made(choices)) {
+        let made = [false, true].into_iter().filter(|&flipped| is_side_made(sides[0], flipped));
+        let ends = made.filter_map(|flipped| {
+            let unflipped = if flipped { Angle::HALF_TURN } else { Angle::ZERO };
+            let first = (unflipped, vec![(Angle::ZERO, flipped)]);
+            fastest(program, (&bends, &costs, Some(&sides)), limits, first).err()
+        });
+        if let Some(farthest) = ends.max_by_key(|error| error.step) {
+            return Err(farthest);
+        }
     }
     match (best, refused) {
         (Some((_, choices)), _) => {
@@ -163,12 +167,11 @@ fn unturned(program: &NominalProgram) -> ScheduledProgram {
     ScheduledProgram { steps: program.steps.clone(), head: vec![Angle::ZERO; program.steps.len()] }
 }
 
-/// `first`: the head's angle for a first bend that is not flipped, up to whole turns, and the ways to make that bend. Afterwards rotations
+/// `sides`: no bend is made to a side to which it cannot. `first`: the head's angle for a first bend that is not flipped, up to whole turns, and the ways to make that bend. Afterwards rotations
 /// of steps that bend nothing count towards the next bend.
 fn fastest(
     program: &NominalProgram,
-    bends: &[usize],
-    costs: &[BendCost],
+    (bends, costs, sides): (&[usize], &[BendCost], Option<&[Sides]>),
     limits: &HeadLimits,
     (mut unflipped, first): (Angle, Vec<(Angle, bool)>),
 ) -> Result<(i64, Vec<BendChoice>), RotationOutOfRange> {
@@ -181,11 +184,14 @@ fn fastest(
         from: 0,
     };
     layers.push(first.into_iter().map(begin).collect());
-    for (pair, cost) in bends.windows(2).zip(&costs[1..]) {
+    for (k, (pair, cost)) in (1..).zip(bends.windows(2).zip(&costs[1..])) {
         let turned: Angle = program.steps[pair[0] + 1..=pair[1]].iter().map(|step| step.rotate).sum();
         unflipped = (unflipped + turned).wrapped();
         let mut layer = Vec::new();
         for (head, flipped) in head_angles(unflipped, limits) {
+            if sides.is_some_and(|sides| !is_side_made(sides[k], flipped)) {
+                continue;
+            }
             let made = cost.of(flipped);
             let reach = |before: &BendChoice| {
                 before.spent.saturating_add(turning(head - before.head)).saturating_add(made)
@@ -197,8 +203,9 @@ fn fastest(
         }
         if layer.is_empty() {
             let (min, max) = (limits.min, limits.max);
-            let other = (unflipped + Angle::HALF_TURN).wrapped();
-            let wanted = if other.abs() < unflipped.abs() { other } else { unflipped };
+            let ways = [(unflipped, false), ((unflipped + Angle::HALF_TURN).wrapped(), true)];
+            let made = ways.into_iter().filter(|way| sides.is_none_or(|sides| is_side_made(sides[k], way.1)));
+            let wanted = made.map(|(head, _)| head).min_by_key(|head| head.abs()).unwrap_or(unflipped);
             return Err(RotationOutOfRange { step: pair[1], wanted, min, max });
         }
         layers.push(layer);

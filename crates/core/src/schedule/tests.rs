@@ -172,6 +172,10 @@ fn a_bend_that_no_turn_brings_to_the_only_side_is_out_of_range_of_the_head() {
     let refused = schedule(&wire, &limits(-60.0, 60.0), one_sided).unwrap_err();
     assert_eq!((refused.step, refused.wanted.deg().round()), (1, 159.0));
     assert!(schedule(&wire, &limits(-90.0, 90.0), one_sided).is_ok(), "from -69.3 to 90");
+    // The first bend is none of them, though with it to the other side all others could be made.
+    let wire = program(&[(0.0, 78.0), (170.0, 78.0), (5.0, 54.0), (-3.0, 92.0)]);
+    let refused = schedule(&wire, &limits(-60.0, 60.0), one_sided).unwrap_err();
+    assert_eq!((refused.step, refused.wanted.deg().round()), (1, 170.0));
     // What no side makes is not for want of turns.
     let none = |bend: Angle| (bend.abs() < deg(60.0)).then_some(1.0);
     assert!(schedule(&wire, &limits(-60.0, 60.0), none).is_ok());
