@@ -77,7 +77,8 @@ pub(super) fn bend(
     if read == 0.0 {
         return Err(LeftOutReason::NoBend);
     }
-    if (inner || (read - wanted).abs() > FAR_DEG) && (180.0 - read - wanted).abs() < ABOUT_DEG {
+    let is_inner = (read - wanted).abs() > FAR_DEG && (180.0 - read - wanted).abs() < ABOUT_DEG;
+    if is_inner || (inner && read < 180.0) {
         return Err(LeftOutReason::Unit(OtherUnit::InnerAngle));
     }
     if read >= 180.0 {

@@ -148,6 +148,15 @@ fn a_table_of_inner_angles_is_no_machine() {
             let refused = calibrate(&published(), &measured, ShapeChoice::Better).unwrap_err();
             let reason = Some(LeftOutReason::Unit(OtherUnit::InnerAngle));
             assert_eq!(refused, CalibrationError::NoReadings { given: 28, reason }, "{seed} {loss}");
+            // A slip among them is one of them.
+            let mut angles = measured.angles;
+            angles[3].readings[1] = Some(deg(75.0));
+            let refused = calibrate(
+                &published(),
+                &Measurements { angles, ..Measurements::default() },
+                ShapeChoice::Better,
+            );
+            assert_eq!(refused, Err(CalibrationError::NoReadings { given: 28, reason }), "{seed} {loss}");
             assert!(fit(ladder(seed, loss)).left_out.is_empty(), "{seed} {loss}");
         }
     }
