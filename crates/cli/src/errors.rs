@@ -3,9 +3,10 @@
 use std::io::Write;
 use std::process::ExitCode;
 
+use clap::error::ErrorKind;
 use schemars::JsonSchema;
 use serde::Serialize;
-use wirebend_api::{ApiError, ErrorCode, ErrorKind, ErrorRemedy, PlanReport};
+use wirebend_api::{ApiError, ErrorCode, ErrorKind as ApiErrorKind, ErrorRemedy, PlanReport};
 
 use crate::usage::{BadInput, WrongUse};
 use crate::{exit, render};
@@ -35,7 +36,7 @@ struct ErrorBody<'a> {
     /// What can be done about it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     remedies: Vec<ErrorRemedy>,
-    /// The same in words, with options and commands.
+    /// The same in words, with options and commands; how the command is used, where it was not understood.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     help: Vec<String>,
     /// What the checks say, where that is the reason.
@@ -50,17 +51,19 @@ pub(crate) fn arguments(error: &clap::Error, json: bool) -> ExitCode {
         return if error.print().is_ok() { ExitCode::from(code) } else { ExitCode::from(exit::FAILURE) };
     }
     let text = error.render().to_string();
-    let mut paragraphs = text.split("\n\n").map(str::trim).filter(|paragraph| !paragraph.is_empty());
-    let message = paragraphs.next().unwrap_or_default();
-    let message = message.strip_prefix("error: ").unwrap_or(message).to_owned();
-    let help = paragraphs.map(|paragraph| paragraph.strip_prefix("tip: ").unwrap_or(paragraph).to_owned());
-    print(&ErrorBody {
-        code: ErrorCode::Usage,
-        message,
-        remedies: Vec::new(),
-        help: help.collect(),
-        report: None,
-    });
+    let (message, help) = if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        // What is printed then is the help.
+        let usage = text.lines().find(|line| line.starts_with("Usage:"));
+        ("a command is missing".to_owned(), usage.map(str::to_owned).into_iter().collect())
+    } else {
+        let (first, rest) = text.split_once("\n\n").unwrap_or((&text, ""));
+        let lines = rest.lines().map(str::trim).filter(|line| !line.is_empty());
+        // Where the help is, every usage error of a terminal says.
+        let lines = lines.filter(|line| !line.starts_with("For more information"));
+        let help = lines.map(|line| line.strip_prefix("tip: ").unwrap_or(line).to_owned()).collect();
+        (first.strip_prefix("error: ").unwrap_or(first).trim_end().to_owned(), help)
+    };
+    print(&ErrorBody { code: ErrorCode::Usage, message, remedies: Vec::new(), help, report: None });
     ExitCode::from(code)
 }
 
@@ -78,14 +81,14 @@ pub(crate) fn report(error: &anyhow::Error, json: bool) -> ExitCode {
     }
     let known = error.downcast_ref::<ApiError>();
     let code = match known.map(ApiError::kind) {
-        Some(ErrorKind::Usage) => exit::USAGE,
-        Some(ErrorKind::BadInput) => exit::BAD_INPUT,
-        Some(ErrorKind::NotFeasible) => exit::NOT_FEASIBLE,
+        Some(ApiErrorKind::Usage) => exit::USAGE,
+        Some(ApiErrorKind::BadInput) => exit::BAD_INPUT,
+        Some(ApiErrorKind::NotFeasible) => exit::NOT_FEASIBLE,
         None if error.is::<WrongUse>() => exit::USAGE,
         None if error.is::<BadInput>() => exit::BAD_INPUT,
-        Some(ErrorKind::Stopped) => exit::STOPPED,
-        Some(ErrorKind::MayMove) => exit::MAY_MOVE,
-        Some(ErrorKind::Failure) | None => exit::FAILURE,
+        Some(ApiErrorKind::Stopped) => exit::STOPPED,
+        Some(ApiErrorKind::MayMove) => exit::MAY_MOVE,
+        Some(ApiErrorKind::Failure) | None => exit::FAILURE,
     };
     let report = known.and_then(ApiError::report);
     let remedies = known.map(ApiError::remedies).unwrap_or_default();

@@ -212,6 +212,7 @@ fn wrong_arguments_are_an_object_too() {
     for (arguments, said) in [
         (&["plan", "--json"][..], "the following required arguments were not provided:\n  <WIREFRAME>"),
         (&["nonsense", "--json"], "unrecognized subcommand 'nonsense'"),
+        (&["--json", "calibrate"], "a command is missing"),
         (&["--json", "plan", &house, "--colour", "red"], "unexpected argument '--colour' found"),
     ] {
         let ran = run(arguments).ended(2);

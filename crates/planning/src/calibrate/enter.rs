@@ -85,9 +85,9 @@ impl SheetFile {
             (_, 0) => return Err(wrong("a coupon of the sheet, by its name in the first column")),
             (None, 1) => 0,
             (None, _) => {
-                return Err(wrong(
-                    "a coupon with one row, or the number of a row behind it: 1 to the positive side, 2 to the negative",
-                ));
+                let expected =
+                    "a row of a coupon that has several, such as angle-40:2, in the order of the table";
+                return Err(wrong(expected));
             }
             (Some(number), _) => {
                 number.parse::<usize>().ok().and_then(|n| n.checked_sub(1)).unwrap_or(usize::MAX)

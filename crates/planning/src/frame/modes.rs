@@ -8,6 +8,7 @@ use wirebend_accuracy::bows;
 use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_frame::{Assembly, MemberId, Mode, ModeKind, ModeSearch, Model, NodeMass, Pieces};
 
+use super::MAX_PIECES;
 use super::shapes::StrutShape;
 use super::structure::Structure;
 use crate::PlanningError;
@@ -195,11 +196,17 @@ impl Structure {
         let first = modes.iter().position(|mode| off(mode) > TOO_FAST)?;
         let worst = modes.iter().map(off).fold(0.0, f64::max);
         let needed = (f64::from(pieces) * (worst / TOO_FAST).powf(0.25)).ceil();
+        let most = f64::from(MAX_PIECES);
+        let enough = if needed > most {
+            format!("{most:.0} pieces for each strut, the most, are not enough for all modes")
+        } else {
+            format!("{needed:.0} pieces for each strut are enough for all modes")
+        };
         Some(NoteReport {
             code: "coarse-pieces".into(),
             count: modes.len() - first,
             message: format!(
-                "from mode {} on frequencies may be more than {:.0} % too high: {needed:.0} pieces for each strut are enough for all modes",
+                "from mode {} on frequencies may be more than {:.0} % too high: {enough}",
                 first + 1,
                 100.0 * TOO_FAST,
             ),

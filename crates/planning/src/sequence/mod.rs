@@ -115,6 +115,7 @@ fn run(
 ) -> Result<(SequenceResponse, Drawing), PlanningError> {
     if let Some(output) = &request.output {
         output.check()?;
+        write::check(request.format, order.is_some() || request.check.is_some())?;
     }
     let limit = seconds(request.limit_s)?;
     let started = Instant::now();

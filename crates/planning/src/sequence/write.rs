@@ -31,6 +31,20 @@ pub enum SequenceFormat {
     Vtk,
 }
 
+/// Refuses before any work is done what would be refused in the end. `checked`: the order is given.
+pub(super) fn check(format: SequenceFormat, checked: bool) -> Result<(), PlanningError> {
+    if checked && format == SequenceFormat::Framefab { Err(without_directions()) } else { Ok(()) }
+}
+
+fn without_directions() -> PlanningError {
+    PlanningError::Value {
+        input: None,
+        name: "format",
+        value: "framefab".to_owned(),
+        expected: "another one: files of FrameFab have all free directions, which an order that is checked does not tell",
+    }
+}
+
 /// The text of a sequence that can be built. `found`: how it was found, with all free directions; none of an order that was checked.
 pub(super) fn text(
     format: SequenceFormat,
@@ -46,14 +60,7 @@ pub(super) fn text(
             text
         }
         SequenceFormat::Framefab => {
-            let Some((task, outcome)) = found else {
-                return Err(PlanningError::Value {
-                    input: None,
-                    name: "format",
-                    value: "framefab".to_owned(),
-                    expected: "another one: files of FrameFab have all free directions, which an order that is checked does not tell",
-                });
-            };
+            let (task, outcome) = found.ok_or_else(without_directions)?;
             let steps: Result<Vec<SequenceStep>, _> =
                 outcome.steps.iter().map(|step| framefab_step(task, step)).collect();
             framefab_sequence(&SequenceFile { base_centre: None, steps: steps? })

@@ -132,7 +132,7 @@ impl Protocol {
             | Phase::Console(_)
             | Phase::Running(_) => {
                 self.fault(error);
-                // What it has done of the lines is not what it was sent: a position says nothing of the wire.
+                // What it has done of the lines may not be what it was sent: a position says nothing of the wire then.
                 self.interrupt(StoppedBy::Fault);
                 self.stream.clear();
                 self.send_realtime(HOLD);
