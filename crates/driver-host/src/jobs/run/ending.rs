@@ -10,6 +10,19 @@ use super::JobRun;
 use crate::session::{Phase, SessionError, Standstill, StopOutcome, StoppedBy};
 
 impl JobRun {
+    /// Writes down where each corner lies beside the design, which stands for what the machine has told, and how far each vertex of the design
+    /// is from the wire, mm, where it can be found on it.
+    ///
+    /// # Errors
+    /// [`JobError::Journal`].
+    pub fn note_made(
+        &mut self,
+        corners_mm: Vec<[f64; 3]>,
+        deviations_mm: Option<Vec<f64>>,
+    ) -> Result<(), JobError> {
+        self.note(EntryKind::Made { corners_mm, deviations_mm })
+    }
+
     /// The driver failed: what it said before it did counts.
     pub(super) fn failed(&mut self, error: &SessionError, told: &mut Vec<Progress>) -> Result<(), JobError> {
         self.catch_up()?;

@@ -309,19 +309,6 @@ impl JobRun {
         self.note(EntryKind::Abandoned)
     }
 
-    /// Writes down where each corner lies beside the design, which stands for what the machine has told, and how far each vertex of the design
-    /// is from the wire, mm, where it can be found on it.
-    ///
-    /// # Errors
-    /// [`JobError::Journal`].
-    pub fn note_made(
-        &mut self,
-        corners_mm: Vec<[f64; 3]>,
-        deviations_mm: Option<Vec<f64>>,
-    ) -> Result<(), JobError> {
-        self.note(EntryKind::Made { corners_mm, deviations_mm })
-    }
-
     /// Whether the machine still runs steps, or would after a resume.
     fn is_in_hand(&self) -> bool {
         resume_state(&self.session).is_some() || self.is_at_work()
@@ -382,20 +369,6 @@ impl JobRun {
     #[must_use]
     pub fn into_parts(self) -> (Session, Journal) {
         (self.session, self.journal)
-    }
-
-    /// After which step the wire was begun or resumed last; nothing before that.
-    fn armed_after(&self) -> Option<u32> {
-        self.journal.entries().iter().rev().find_map(|entry| match entry.what {
-            EntryKind::Armed { after, resumed: false, .. } => Some(after),
-            _ => None,
-        })
-    }
-
-    /// How much more than its rest a step turns, since the wire goes on in it.
-    fn turns_more_in(&self, n: u32) -> f64 {
-        let (step, more) = self.turns_more;
-        if n == step { more } else { 0.0 }
     }
 
     fn note(&mut self, what: EntryKind) -> Result<(), JobError> {

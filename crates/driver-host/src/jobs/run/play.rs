@@ -2,11 +2,29 @@
 
 use wirebend_driver_api::Step;
 
+use super::super::entry::EntryKind;
 use super::super::part::Part;
+use super::JobRun;
 use crate::session::ROUNDING_DEG;
 
 /// The drive goes so much farther than the play is, degrees: how large that is is not known exactly.
 const BEYOND_DEG: f64 = 1.0;
+
+impl JobRun {
+    /// After which step the wire was begun or resumed last; nothing before that.
+    pub(super) fn armed_after(&self) -> Option<u32> {
+        self.journal.entries().iter().rev().find_map(|entry| match entry.what {
+            EntryKind::Armed { after, resumed: false, .. } => Some(after),
+            _ => None,
+        })
+    }
+
+    /// How much more than its rest a step turns, since the wire goes on in it.
+    pub(super) fn turns_more_in(&self, n: u32) -> f64 {
+        let (step, more) = self.turns_more;
+        if n == step { more } else { 0.0 }
+    }
+}
 
 /// How much more the step after the first `done` turns where a wire goes on within it: the head, which was put to zero since, stands so far
 /// before, and so takes up its play as it did when it came there first. Zero where the rest of the step does that, and for a new wire.
