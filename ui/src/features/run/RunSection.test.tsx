@@ -33,6 +33,9 @@ it("has a button to connect a machine that has failed again: its problem says to
   useRun.setState({ state: machineState("failed", "home", "disconnect") });
   at.show(<RunSection />);
   expect(buttons()).toEqual(expect.arrayContaining(["Connect again", "Home", "Disconnect"]));
+  // A controller that still has power goes on with what it was sent: that nothing moves is not known here.
+  expect(at.host.textContent).toContain("Closes the failed connection. Connecting moves nothing.");
+  expect(at.host.textContent).not.toContain("Nothing moves.");
   act(() => useRun.setState({ state: machineState("ready", "home", "disconnect") }));
   expect(buttons()).not.toContain("Connect again");
 });
