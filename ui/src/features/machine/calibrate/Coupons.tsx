@@ -19,7 +19,7 @@ import { useDesign } from "../../../state/design/design";
 import { baseName, runFile } from "../../../state/files/files";
 import { useMachines } from "../../../state/machine/machines";
 import { type SheetOf, useSheetName } from "./sheet_name";
-import { parseAngles } from "./words";
+import { parseAngles, usualAngles } from "./words";
 
 const SHEETS = { name: "Sheets", extensions: ["csv"] } as const;
 /** It is a folder that is named: there is no ending. */
@@ -84,6 +84,7 @@ export function Coupons() {
   const [repeats, setRepeats] = useState(madeFor?.repeats ?? 2);
   const [paper, setPaper] = useState(madeFor?.paper ?? "a4");
   const { long } = useLengths();
+  const bends = machines?.find(({ id }) => id === machine)?.bend_deg ?? null;
   const ladder = parseAngles(angles);
   const why = busy
     ? "Wait until this is done."
@@ -136,14 +137,14 @@ export function Coupons() {
         </Field>
         <Field
           label="Angles"
-          hint="Degrees, each to both sides. Empty: seven from 20° to 135°."
+          hint={`Degrees, each to both sides. Empty: ${usualAngles(bends)}.`}
           error={ladder === null ? "Write angles up to 180°, such as 20, 45, 90." : null}
         >
           {(ids) => (
             <TextInput
               {...ids}
               value={angles}
-              placeholder="20, 40, 60, 80, 100, 120, 135"
+              placeholder="such as 20, 45, 90"
               onChange={(event) => setAngles(event.currentTarget.value)}
             />
           )}

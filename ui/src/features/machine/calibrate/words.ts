@@ -74,6 +74,17 @@ export function parseAngles(text: string): readonly number[] | null {
   return angles.some((one) => one === null || one <= 0 || one > 180) ? null : (angles as number[]);
 }
 
+/** The largest angle that is bent where none is named. */
+const USUAL_MOST_DEG = 135;
+
+/** Which angles are bent where none is named: "20° to at most 120°". `bends`: how far the machine bends to both sides, where that is known. */
+export function usualAngles(bends: readonly [number, number] | null): string {
+  if (!bends) return "20° to what the machine can bend";
+  // A wire that springs back much can be bent less far than the machine's own limit.
+  const most = Math.min(USUAL_MOST_DEG, ...bends.map(Math.abs));
+  return `20° to at most ${short(most, 4)}°`;
+}
+
 export const wanted = (row: CalibrationRow): string =>
   row.unit === "deg" ? angle(row.wanted) : `${number(row.wanted)} mm`;
 
