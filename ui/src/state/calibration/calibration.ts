@@ -28,6 +28,13 @@ export interface CouponRequest {
   readonly folder: string;
 }
 
+/** A folder that has coupons. */
+interface Occupied {
+  readonly folder: string;
+  /** How many readings the sheet in it has; null where that could not be read. */
+  readonly readings: number | null;
+}
+
 /** What was applied, and the way back. */
 interface Applied {
   readonly result: CalibrateApplyResponse;
@@ -58,7 +65,7 @@ interface CalibrationStore {
   /** What they were made for. */
   readonly madeFor: CouponRequest | null;
   /** A folder in which coupons were not made, since it has some: to replace them is for a person to say. */
-  readonly occupied: string | null;
+  readonly occupied: Occupied | null;
   readonly shape: SpringbackShape;
   /** What the sheet tells; null where it tells nothing yet: see `gap`. */
   readonly report: CalibrationReport | null;
@@ -189,6 +196,16 @@ async function fitAnew(): Promise<void> {
   }
 }
 
+/** How many readings the sheet of the coupons in a folder has; null where it cannot be read. */
+async function readingsIn(folder: string): Promise<number | null> {
+  try {
+    const { rows } = await platform.ask("calibrate-sheet", { sheet: `${folder}/sheet.csv` });
+    return rows.flatMap(({ readings }) => readings).filter((reading) => reading !== null).length;
+  } catch {
+    return null;
+  }
+}
+
 /** Writes coupons as jobs and a sheet into a folder. `force`: those that are there are replaced, with the readings of their sheet. */
 export function makeCoupons(request: CouponRequest, force: boolean): Promise<boolean> {
   return working(async () => {
@@ -198,7 +215,7 @@ export function makeCoupons(request: CouponRequest, force: boolean): Promise<boo
       made = await platform.ask("calibrate-new", { ...request, angles_deg: [...request.angles_deg], force });
     } catch (error) {
       if (!(error instanceof Refused && error.refusal.code === "exists")) throw error;
-      useCalibration.setState({ occupied: request.folder });
+      useCalibration.setState({ occupied: { folder: request.folder, readings: await readingsIn(request.folder) } });
       return;
     }
     useCalibration.setState({ made, madeFor: request });

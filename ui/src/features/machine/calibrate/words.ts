@@ -77,6 +77,12 @@ export function parseAngles(text: string): readonly number[] | null {
 /** The largest angle that is bent where none is named. */
 const USUAL_MOST_DEG = 135;
 
+/** "the 35 readings in their sheet", "the readings in their sheet" where it is not known how many; null where there are none. */
+export function lostReadings(readings: number | null): string | null {
+  if (readings === 0) return null;
+  return `the ${readings === null ? "readings" : count(readings, "reading")} in their sheet`;
+}
+
 /** Which angles are bent where none is named: "20° to at most 120°". `bends`: how far the machine bends to both sides, where that is known. */
 export function usualAngles(bends: readonly [number, number] | null): string {
   if (!bends) return "20° to what the machine can bend";
