@@ -155,6 +155,32 @@ function readAgain(): Promise<boolean> {
   });
 }
 
+/** Why the sheet could not be read when that was last tried by itself. */
+let unreadable: string | null = null;
+
+/**
+ * The same while the dialog is open, such as when a person comes back from a spreadsheet. What was said before stays; a sheet that cannot be
+ * read just now stays as it was.
+ */
+export function refreshSheet(): Promise<void> {
+  const done = last.then(async () => {
+    const { open, sheet } = useCalibration.getState();
+    if (!open || !sheet) return;
+    try {
+      const table = await platform.ask("calibrate-sheet", { sheet: sheet.sheet });
+      if (JSON.stringify(table) !== JSON.stringify(sheet)) await take(table);
+      const over = unreadable;
+      unreadable = null;
+      if (over !== null) useCalibration.setState(({ problem }) => ({ problem: problem === over ? null : problem }));
+    } catch (error) {
+      unreadable = messageOf(error);
+      useCalibration.setState({ problem: unreadable });
+    }
+  });
+  last = done;
+  return done;
+}
+
 export function closeCalibration(): void {
   useCalibration.setState({ open: false });
 }
@@ -167,8 +193,9 @@ export function showStep(step: CalibrationStep): void {
 export const readingsOf = ({ sheet, shape }: Pick<CalibrationStore, "sheet" | "shape">): string =>
   JSON.stringify([sheet?.sheet, sheet?.rows.map(({ readings }) => readings), shape]);
 
-async function read(sheet: string): Promise<void> {
-  const table = await platform.ask("calibrate-sheet", { sheet });
+const read = async (sheet: string): Promise<void> => take(await platform.ask("calibrate-sheet", { sheet }));
+
+async function take(table: CalibrationSheet): Promise<void> {
   // Other readings hold other versions to be better.
   useCalibration.setState(({ applied, shape }) => {
     const stays = applied?.readings === readingsOf({ sheet: table, shape });
@@ -239,11 +266,16 @@ export function openSheet(sheet: string, step: CalibrationStep): Promise<boolean
 /** Enters a reading, or takes it out, and fits anew. */
 export function enterReading(row: CalibrationRow, at: number, value: number | null): Promise<boolean> {
   return working(async () => {
-    const { sheet } = useCalibration.getState();
-    // What was entered into the row just before counts.
-    const now = sheet?.rows.find(({ line }) => line === row.line);
-    if (!sheet || !now)
+    const known = useCalibration.getState().sheet;
+    // A row is written as a whole: what was entered into it just before counts, here or in the file.
+    const sheet = known && (await platform.ask("calibrate-sheet", { sheet: known.sheet }));
+    const now = sheet?.rows.find(
+      ({ line, coupon, row: n }) => line === row.line && coupon === row.coupon && n === row.row,
+    );
+    if (!sheet || !now) {
+      if (sheet) await take(sheet);
       throw new Error(`The sheet has no row ${row.row} of ${row.coupon} any more: the reading was not entered.`);
+    }
     const readings = Array.from({ length: Math.max(at + 1, now.readings.length) }, (_, index) =>
       index === at ? value : (now.readings[index] ?? null),
     );
