@@ -76,6 +76,8 @@ interface CalibrationStore {
   readonly versions: CalibrateCompareResponse | null;
   /** What of it was taken back; null where nothing was. */
   readonly reverted: Reverted | null;
+  /** Jobs of which there was nothing new to enter when simulated runs were asked for; empty as long as they were not. */
+  readonly unbent: readonly string[];
   /** Why the last thing came to nothing. */
   readonly problem: string | null;
   readonly busy: boolean;
@@ -94,6 +96,7 @@ const EMPTY: CalibrationStore = {
   applied: null,
   versions: null,
   reverted: null,
+  unbent: [],
   problem: null,
   busy: false,
 };
@@ -109,7 +112,7 @@ const messageOf = (error: unknown): string => (error instanceof Error ? error.me
 let last: Promise<unknown> = Promise.resolve();
 export function working(work: () => Promise<void>): Promise<boolean> {
   const done = last.then(async () => {
-    useCalibration.setState({ busy: true, problem: null });
+    useCalibration.setState({ busy: true, problem: null, unbent: [] });
     try {
       await work();
       return true;
@@ -186,7 +189,7 @@ export function closeCalibration(): void {
 }
 
 export function showStep(step: CalibrationStep): void {
-  useCalibration.setState({ step, problem: null, occupied: null });
+  useCalibration.setState({ step, problem: null, occupied: null, unbent: [] });
 }
 
 /** The readings of the sheet, and how they are fitted, as one text. */
@@ -293,8 +296,17 @@ export function enterBent(): Promise<boolean> {
   return working(async () => {
     const { sheet } = useCalibration.getState();
     if (!sheet) return;
-    await platform.ask("calibrate-enter", { sheet: sheet.sheet, bent: [...sheet.jobs] });
-    await read(sheet.sheet);
+    const unbent: string[] = [];
+    try {
+      // One by one: what is entered is told of all jobs together.
+      for (const job of sheet.jobs) {
+        const { entered } = await platform.ask("calibrate-enter", { sheet: sheet.sheet, bent: [job] });
+        if (entered === 0) unbent.push(job);
+      }
+    } finally {
+      await read(sheet.sheet);
+    }
+    useCalibration.setState({ unbent });
   });
 }
 

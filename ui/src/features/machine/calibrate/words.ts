@@ -83,6 +83,15 @@ export function lostReadings(readings: number | null): string | null {
   return `the ${readings === null ? "readings" : count(readings, "reading")} in their sheet`;
 }
 
+/** What there is to do about jobs of which no simulated machine has bent anything new; null where there are none. */
+export function unbentPhrase(names: readonly string[]): string | null {
+  const last = names.at(-1);
+  if (last === undefined) return null;
+  const others = names.slice(0, -1).join(", ");
+  const [which, them] = others === "" ? [last, "it"] : [`${others} and ${last}`, "them"];
+  return `There is no new simulated run of ${which}. Bend ${them} on the simulated machine first, with Run… in Coupons.`;
+}
+
 /** Which angles are bent where none is named: "20° to at most 120°". `bends`: how far the machine bends to both sides, where that is known. */
 export function usualAngles(bends: readonly [number, number] | null): string {
   if (!bends) return "20° to what the machine can bend";
