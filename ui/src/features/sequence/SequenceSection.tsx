@@ -141,6 +141,7 @@ function Setup() {
               {...ids}
               label="Sag, at most"
               value={epsilon}
+              positive
               min={1e-6}
               max={1e6}
               placeholder="automatic"
