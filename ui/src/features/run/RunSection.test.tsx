@@ -40,6 +40,17 @@ it("has a button to connect a machine that has failed again: its problem says to
   expect(buttons()).not.toContain("Connect again");
 });
 
+it("says how to come to another machine while a wire is in the connected one, which cannot be disconnected then", () => {
+  useDesign.setState({ state: designState({ machine: "grbl-bender" }) });
+  useRun.setState({ state: machineState("holding", "resume", "speed") });
+  at.show(<RunSection />);
+  expect(at.host.textContent).toContain("Finish the wire or stop it first, then disconnect to connect the other one.");
+  expect(at.host.textContent).not.toContain("Disconnect it to connect the other one.");
+  act(() => useRun.setState({ state: machineState("ready", "disconnect") }));
+  expect(at.host.textContent).toContain("Disconnect it to connect the other one.");
+  useDesign.setState({ state: null });
+});
+
 it("says while it homes what moves and how to end it, without a figure that nobody knows", () => {
   useRun.setState({ state: machineState("homing") });
   at.show(<RunSection />);

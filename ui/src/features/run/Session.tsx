@@ -2,7 +2,7 @@ import { Button } from "../../shared/controls/Button";
 import { Bar } from "../../shared/controls/inputs";
 import { Line } from "../../shared/lists/Line";
 import { useMachines } from "../../state/machine/machines";
-import type { MachineState } from "../../state/machine/operator";
+import { isInWire, type MachineState } from "../../state/machine/operator";
 import { order } from "../../state/machine/run";
 import { useRunFile, useRunMachine } from "../../state/program/run_file";
 import { buttons, doingPhrase } from "./buttons";
@@ -41,7 +41,11 @@ export function Session({ state }: { readonly state: MachineState }) {
           <Line
             tone="warning"
             what={`${file ? file.name : "The design"} is for ${name(designed)}`}
-            sub={`${name(state.machine)} is connected. Disconnect it to connect the other one.`}
+            sub={
+              isInWire(state.phase)
+                ? `${name(state.machine)} is connected and has a wire in it. Finish the wire or stop it first, then disconnect to connect the other one.`
+                : `${name(state.machine)} is connected. Disconnect it to connect the other one.`
+            }
           />
         </ul>
       )}
