@@ -21,7 +21,11 @@ export function gridSpacing(pixel: number, lengths: LengthFormat, snapped = 0): 
   return { mm, fine: Math.min(Math.max(apart, 0), 1) };
 }
 
-/** What the lines that can be seen stand for, as it is written. */
-export function spacingText({ mm, fine }: Spacing, lengths: LengthFormat): string {
-  return `${lengths.short(fine < 0.3 ? mm * 10 : mm)} ${lengths.name}`;
+/**
+ * What is said of the grid: how far apart points are that clicks go to, `snapped` mm, where they do so; otherwise what the lines that can be
+ * seen stand for.
+ */
+export function gridText({ mm, fine }: Spacing, lengths: LengthFormat, snapped = 0): string {
+  const seen = fine < 0.3 ? mm * 10 : mm;
+  return `Grid ${lengths.short(snapped > 0 ? snapped : seen)} ${lengths.name}`;
 }
