@@ -7,7 +7,7 @@ import { order } from "../../state/machine/run";
 import { useRunFile, useRunMachine } from "../../state/program/run_file";
 import { buttons, doingPhrase } from "./buttons";
 import { Fault } from "./Fault";
-import { simulatedPhrase } from "./phrases";
+import { machinePhrase, simulatedPhrase } from "./phrases";
 import { useProspect } from "./prospect";
 
 /** It takes as long as the slowest axis needs for its way, which no machine tells beforehand. */
@@ -23,14 +23,14 @@ export function Session({ state }: { readonly state: MachineState }) {
   const simulated = simulatedPhrase(state.simulated_as, name);
   const other = designed !== state.machine;
   const homing = state.phase === "homing" && !state.question;
-  const who = [name(state.machine), state.simulated ? "simulated" : state.port, state.identity];
+  const who = machinePhrase(name(state.machine), state);
   return (
     <div className="stack">
       <div className="run-state" role="status">
         <span className={`run-phase ${state.phase}`}>{doingPhrase(state)}</span>
         <span className="small">{homing && HOMING}</span>
         <span className="muted small" title={state.identity ?? undefined}>
-          {who.filter(Boolean).join(" · ")}
+          {who}
         </span>
         {homing && <Bar label="Homing" done={0} of={0} />}
         {simulated && <span className="muted small">{simulated}</span>}
