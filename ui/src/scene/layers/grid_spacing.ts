@@ -22,10 +22,12 @@ export function gridSpacing(pixel: number, lengths: LengthFormat, snapped = 0): 
 }
 
 /**
- * What is said of the grid: how far apart points are that clicks go to, `snapped` mm, where they do so; otherwise what the lines that can be
- * seen stand for.
+ * What is said of the grid: how far apart points are that clicks go to, `snapped` mm, where they do so, and below it what the lines stand for
+ * that can be seen, where that is not the same; otherwise the latter alone.
  */
 export function gridText({ mm, fine }: Spacing, lengths: LengthFormat, snapped = 0): string {
   const seen = fine < 0.3 ? mm * 10 : mm;
-  return `Grid ${lengths.short(snapped > 0 ? snapped : seen)} ${lengths.name}`;
+  const text = (apart: number) => `${lengths.short(apart)} ${lengths.name}`;
+  if (snapped <= 0 || text(snapped) === text(seen)) return `Grid ${text(seen)}`;
+  return `Grid ${text(snapped)}\nLines ${text(seen)}`;
 }
