@@ -70,6 +70,10 @@ it("says how to come to another machine while a wire is in the connected one, wh
   at.show(<RunSection />);
   expect(at.host.textContent).toContain("Finish the wire or stop it first, then disconnect to connect the other one.");
   expect(at.host.textContent).not.toContain("Disconnect it to connect the other one.");
+  // Nor between two wires of a row.
+  act(() => useRun.setState({ state: machineState("moving"), between: true }));
+  expect(at.host.textContent).toContain("Finish the wire or stop it first, then disconnect to connect the other one.");
+  act(() => useRun.setState({ between: false }));
   act(() => useRun.setState({ state: machineState("ready", "disconnect") }));
   expect(at.host.textContent).toContain("Disconnect it to connect the other one.");
   useDesign.setState({ state: null });

@@ -2,8 +2,8 @@ import { Button } from "../../shared/controls/Button";
 import { Bar } from "../../shared/controls/inputs";
 import { Line } from "../../shared/lists/Line";
 import { useMachines } from "../../state/machine/machines";
-import { isInWire, type MachineState } from "../../state/machine/operator";
-import { order } from "../../state/machine/run";
+import type { MachineState } from "../../state/machine/operator";
+import { isBending, order, useRun } from "../../state/machine/run";
 import { useRunFile, useRunMachine } from "../../state/program/run_file";
 import { buttons, doingPhrase } from "./buttons";
 import { Fault } from "./Fault";
@@ -19,6 +19,7 @@ export function Session({ state }: { readonly state: MachineState }) {
   const file = useRunFile((run) => run.file);
   const machines = useMachines((store) => store.machines);
   const all = buttons(state, useProspect());
+  const bending = useRun(isBending);
   const name = (id: string | null) => machines?.find((machine) => machine.id === id)?.name ?? id ?? "none";
   const simulated = simulatedPhrase(state.simulated_as, name);
   const other = designed !== state.machine;
@@ -42,7 +43,7 @@ export function Session({ state }: { readonly state: MachineState }) {
             tone="warning"
             what={`${file ? file.name : "The design"} is for ${name(designed)}`}
             sub={
-              isInWire(state.phase)
+              bending
                 ? `${name(state.machine)} is connected and has a wire in it. Finish the wire or stop it first, then disconnect to connect the other one.`
                 : `${name(state.machine)} is connected. Disconnect it to connect the other one.`
             }
