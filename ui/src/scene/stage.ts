@@ -384,21 +384,13 @@ export class Stage {
     return [...this.design.at, ...this.stencils.places, ...this.construction.all.flat()];
   }
 
-  private get isDrawing(): boolean {
-    return this.tool === "draw" && !this.playing;
-  }
-
-  /** How far apart the points of the grid are that clicks go to just now, mm; 0 where they go to none. */
-  get clicksSnapTo(): number {
-    return this.isDrawing && this.snap.kinds.has("grid") ? this.snap.grid : 0;
-  }
-
   private layGrid(height: number): void {
     const { camera, lengths } = this;
     const { orbit, ball } = camera;
-    const drawing = this.isDrawing;
+    const drawing = this.tool === "draw" && !this.playing;
     const snapped = drawing ? this.snap.grid : 0;
-    this.spacing = gridSpacing(pixelAtTarget(orbit, height), lengths, snapped);
+    const clicks = this.snap.kinds.has("grid") ? snapped : 0;
+    this.spacing = { ...gridSpacing(pixelAtTarget(orbit, height), lengths, snapped), clicks };
     const back = axes(orbit).back;
     const ground = facing(back, orbit.orthographic);
     // The machine stands on the ground; a design is wherever it was drawn.

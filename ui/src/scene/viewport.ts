@@ -369,7 +369,7 @@ export class Viewport {
       this.told = { yaw, pitch };
       this.listener.viewTurned(axes(this.stage.camera.orbit));
     }
-    this.overlay.grid(gridText(this.stage.spacing, this.stage.lengths, this.stage.clicksSnapTo));
+    this.overlay.grid(gridText(this.stage.spacing, this.stage.lengths));
   }
 
   private resize(): void {

@@ -35,7 +35,7 @@ it("says where clicks go while they snap to it, also where only every tenth of i
   const spacing = gridSpacing(0.5, MM, 5);
   expect([spacing.mm, spacing.fine]).toEqual([5, expect.closeTo(0.046, 2)]);
   expect(gridText(spacing, MM)).toBe("Grid 50 mm");
-  expect(gridText(spacing, MM, 5)).toBe("Grid 5 mm\nLines 50 mm");
-  expect(gridText(gridSpacing(0.1, MM, 5), MM, 5)).toBe("Grid 5 mm");
-  expect(gridText(gridSpacing(0.1, INCH, 6.35), INCH, 6.35)).toBe("Grid 0.25 in");
+  expect(gridText({ ...spacing, clicks: 5 }, MM)).toBe("Grid 5 mm\nLines 50 mm");
+  expect(gridText({ ...gridSpacing(0.1, MM, 5), clicks: 5 }, MM)).toBe("Grid 5 mm");
+  expect(gridText({ ...gridSpacing(0.1, INCH, 6.35), clicks: 6.35 }, INCH)).toBe("Grid 0.25 in");
 });
