@@ -270,6 +270,12 @@ it("modules and exports that nobody uses are refused", () => {
   }
 }, 60_000);
 
+it("no selector of a style sheet has lost its block, and stands before the rule of another one", () => {
+  const sheets = readdirSync(join(ui, "src"), { recursive: true }).filter((name) => name.endsWith(".css"));
+  expect(sheets.length).toBeGreaterThan(10);
+  expect(sheets.filter((name) => /,\s*\/\*/.test(readFileSync(join(ui, "src", name), "utf8")))).toEqual([]);
+});
+
 it(`no folder has more than ${MOST_FILES} files`, () => {
   const counts = new Map();
   for (const entry of readdirSync(join(ui, "src"), { recursive: true, withFileTypes: true }))

@@ -4,6 +4,7 @@
  */
 
 import { begin } from "../state/files/beginning";
+import { followSheet } from "./calibration";
 import { type End, together } from "./changes";
 import { followDesign } from "./design";
 import { listenToSystem } from "./files";
@@ -23,6 +24,7 @@ export function start(): End {
     followMachine(),
     followFrame(),
     followSequence(),
+    followSheet(),
     listenToKeys(),
     listenToRightClicks(),
     listenToSystem(),

@@ -6,7 +6,7 @@ import { BodiesTool } from "./bodies/bodies_tool";
 import type { BodiesListener, EditedMachine } from "./bodies/interface";
 import { THEMES, type ThemeName } from "./drawing/theme";
 import type { LengthFormat, Vec3 } from "./interface";
-import { spacingText } from "./layers/grid_spacing";
+import { gridText } from "./layers/grid_spacing";
 import { Overlay } from "./layers/overlay";
 import { Pointer } from "./tools/pointer";
 import { Frames } from "./view/frames";
@@ -141,7 +141,7 @@ export class BodiesView {
     const { camera } = this.stage;
     if (camera.width < 2 || camera.height < 2 || this.renderer.getContext().isContextLost()) return;
     this.stage.draw(this.renderer);
-    this.overlay.grid(`Grid ${spacingText(this.stage.spacing, this.stage.lengths)}`);
+    this.overlay.grid(gridText(this.stage.spacing, this.stage.lengths));
   }
 
   private resize(): void {

@@ -389,7 +389,8 @@ export class Stage {
     const { orbit, ball } = camera;
     const drawing = this.tool === "draw" && !this.playing;
     const snapped = drawing ? this.snap.grid : 0;
-    this.spacing = gridSpacing(pixelAtTarget(orbit, height), lengths, snapped);
+    const clicks = this.snap.kinds.has("grid") ? snapped : 0;
+    this.spacing = { ...gridSpacing(pixelAtTarget(orbit, height), lengths, snapped), clicks };
     const back = axes(orbit).back;
     const ground = facing(back, orbit.orthographic);
     // The machine stands on the ground; a design is wherever it was drawn.

@@ -26,7 +26,7 @@ import type {
   Touch,
   Vec3,
 } from "./interface";
-import { spacingText } from "./layers/grid_spacing";
+import { gridText } from "./layers/grid_spacing";
 import { Overlay } from "./layers/overlay";
 import { Stage } from "./stage";
 import { Pointer, type ToolHandler } from "./tools/pointer";
@@ -369,7 +369,7 @@ export class Viewport {
       this.told = { yaw, pitch };
       this.listener.viewTurned(axes(this.stage.camera.orbit));
     }
-    this.overlay.grid(`Grid ${spacingText(this.stage.spacing, this.stage.lengths)}`);
+    this.overlay.grid(gridText(this.stage.spacing, this.stage.lengths));
   }
 
   private resize(): void {

@@ -46,6 +46,9 @@ it("looks from all six sides, by keys and by the buttons of the view cube", asyn
     await button("Back").evaluate((one) => [document.activeElement === one, getComputedStyle(one).opacity]),
   ).toEqual([true, "1"]);
   await picture(editor.page, "views-cube-focus");
+  // With its keys in one line it covers nothing below the cube.
+  const [back, below] = [await button("Back").boundingBox(), await button("Perspective").boundingBox()];
+  expect((back?.y ?? Infinity) + (back?.height ?? 0)).toBeLessThanOrEqual(below?.y ?? 0);
   await editor.page.getByText("Orbit: right or middle button").waitFor();
   await editor.isClean("views");
 });

@@ -60,6 +60,14 @@ async function arm(): Promise<void> {
   await stands("armed");
 }
 
+/** Whether a button of the section is in sight, and no part of it beyond the edge of the panel or behind something else. */
+const isWhole = (name: string): Promise<boolean> =>
+  button(name).evaluate((one) => {
+    const { left, right, top, bottom } = one.getBoundingClientRect();
+    const corners = [top + 2, bottom - 2].flatMap((y) => [left + 4, right - 4].map((x) => [x, y] as const));
+    return corners.every(([x, y]) => one.contains(document.elementFromPoint(x, y)));
+  });
+
 /** Per cent: at ten times the speed the house takes half a minute then. */
 const SLOW = 20;
 
@@ -97,6 +105,9 @@ it("connects the simulated machine, and says why the rest has to wait", async ()
 it("homes, and moves by hand with the place that it reports", async () => {
   await button("Home").click();
   await stands("ready");
+  // What leads on from here is in sight as a whole in a window of 1280 by 800.
+  await until(() => isWhole("Arm…")).toBe(true);
+  expect(await isWhole("Start")).toBe(true);
   await button("Record").click();
   const feed = run().getByLabel("Feed by, mm");
   await feed.fill("12.5");

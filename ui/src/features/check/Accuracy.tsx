@@ -67,6 +67,7 @@ export function Accuracy() {
               {...ids}
               label="How close every vertex has to be to its place"
               value={within}
+              positive
               min={1e-3}
               max={1e4}
               onCommit={(value) => choosePrediction({ within: value })}

@@ -77,6 +77,19 @@ it("leaves the plane that is drawn on as it is, whichever is chosen for a shape"
   expect(edits()).toMatchObject([{ edit: "circle", plane: "xz", centre_mm: [0, 0, 0] }]);
 });
 
+it("adds no shape that cannot be, with the reason that is shown", async () => {
+  platform.ask.mockImplementation(async (ask: string) => {
+    if (ask === "outcome") throw new Error("a radius has to be more than 0");
+    return { change: null, notes: [] };
+  });
+  at.show(<Shapes />);
+  const button = () => [...at.host.querySelectorAll("button")].find(({ textContent }) => textContent === "Add circle");
+  await vi.waitFor(() => expect(button()?.title).toBe("a radius has to be more than 0"));
+  expect(at.host.querySelector("output")?.textContent).toContain("a radius has to be more than 0");
+  await pressed("Add circle");
+  expect(edits()).toEqual([]);
+});
+
 it("lays a shape on the three points, from the first of them, with the offset", async () => {
   putPlane();
   useView.setState({ planeOffset: 7 });

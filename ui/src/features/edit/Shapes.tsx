@@ -59,8 +59,13 @@ function axesText([a = null, b = null, c = null]: readonly (number | null)[]): s
 }
 
 /** How long the edges of a shape get, against what the machine can make, and how many would fit. */
-function Edges({ of, take }: { readonly of: ShapeRequest; readonly take: (sides: number) => void }) {
-  const answer = useOutcome("shape", of);
+function Edges({
+  answer,
+  take,
+}: {
+  readonly answer: ReturnType<typeof useOutcome>;
+  readonly take: (sides: number) => void;
+}) {
   const { length } = useLengths();
   if (answer?.problem) return <Outcome fits={false} text={answer.problem} use={null} />;
   const found = answer?.outcome;
@@ -86,7 +91,7 @@ export function Shapes() {
   const pitch = useFigure(20);
   const turns = useFigure(3);
   const [left, setLeft] = useState(false);
-  const why = useWhyNot("paste");
+  const whyNot = useWhyNot("paste");
   const request = (figure: "value" | "now"): ShapeRequest => {
     const [x, y, z] = plane.own ? onPoints : centre;
     const at = {
@@ -100,6 +105,8 @@ export function Shapes() {
     const winding = { pitch_mm: pitch[figure], turns: turns[figure], edges_per_turn: sides, left };
     return { edit: "helix", ...at, radius_mm, ...winding };
   };
+  const answer = useOutcome("shape", request("now"));
+  const why = whyNot ?? answer?.problem ?? null;
   const size = shape === "polygon" ? (MEASURES.find(({ value }) => value === measure)?.label ?? "Size") : "Radius";
   const names = { circle: "Edges", polygon: "Sides", helix: "Edges per turn" };
   return (
@@ -151,7 +158,7 @@ export function Shapes() {
           Left-handed
         </Checkbox>
       )}
-      <Edges of={request("now")} take={edges.set} />
+      <Edges answer={answer} take={edges.set} />
       <div className="row">
         <Button className="grow" why={why} onClick={() => void addShape(request("value"))}>
           Add {shape}

@@ -129,6 +129,7 @@ export function ScaleForm() {
             kind="number"
             label="Factor"
             value={factor}
+            positive
             min={1e-4}
             max={1e4}
             onCommit={setFactor}

@@ -52,6 +52,7 @@ function Continuum() {
                 {...ids}
                 label="Depth of the truss"
                 value={truss.depth_mm}
+                positive
                 min={1e-3}
                 max={1e9}
                 onCommit={(depth_mm) => change({ depth_mm })}
@@ -64,6 +65,7 @@ function Continuum() {
                 {...ids}
                 label="Diameter of the truss"
                 value={truss.diameter_mm}
+                positive
                 min={1e-3}
                 max={1e9}
                 onCommit={(diameter_mm) => change({ diameter_mm })}
@@ -130,6 +132,7 @@ export function Tolerance() {
                 {...ids}
                 label="Shape off the drawing, at most"
                 value={required.surface}
+                positive
                 min={1e-6}
                 max={1e6}
                 placeholder="not required"
@@ -148,6 +151,7 @@ export function Tolerance() {
                 kind="number"
                 unit="N"
                 value={required.force}
+                positive
                 min={1e-6}
                 max={1e9}
                 placeholder="not required"
@@ -167,6 +171,7 @@ export function Tolerance() {
                 kind="number"
                 unit="MPa"
                 value={required.stress}
+                positive
                 min={1e-6}
                 max={1e9}
                 placeholder="not required"

@@ -99,7 +99,7 @@ export function Connect() {
           {again ? "Connect again" : "Connect"}
         </Button>
       </div>
-      {again && <p className="muted small">The failed connection is closed. Nothing moves.</p>}
+      {again && <p className="muted small">Closes the failed connection. Connecting moves nothing.</p>}
     </div>
   );
 }

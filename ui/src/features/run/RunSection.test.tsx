@@ -9,8 +9,9 @@ import type { LiveCheck, PortEntry } from "../../generated/responses";
 import { Dialog, DialogHead } from "../../shared/layers/Dialog";
 import { place } from "../../shared/testing";
 import { useDesign } from "../../state/design/design";
+import type { OperatorEvent } from "../../state/machine/operator";
 import { setWire, useRow } from "../../state/machine/row";
-import { useRun } from "../../state/machine/run";
+import { hearOperator, useRun } from "../../state/machine/run";
 import { designState, machineState } from "../../state/testing";
 import { useUi } from "../../state/window/ui";
 import { RunSection } from "./RunSection";
@@ -33,8 +34,49 @@ it("has a button to connect a machine that has failed again: its problem says to
   useRun.setState({ state: machineState("failed", "home", "disconnect") });
   at.show(<RunSection />);
   expect(buttons()).toEqual(expect.arrayContaining(["Connect again", "Home", "Disconnect"]));
+  // A controller that still has power goes on with what it was sent: that nothing moves is not known here.
+  expect(at.host.textContent).toContain("Closes the failed connection. Connecting moves nothing.");
+  expect(at.host.textContent).not.toContain("Nothing moves.");
   act(() => useRun.setState({ state: machineState("ready", "home", "disconnect") }));
   expect(buttons()).not.toContain("Connect again");
+});
+
+it("still says what went wrong first once something was ordered of a connection that is gone", () => {
+  const state = (phase: "failed" | "homing" | "connected", code: string | null): OperatorEvent => ({
+    event: "state",
+    ...machineState(phase, "home", "disconnect"),
+    problem: code === null ? null : { code, message: `it is ${code}`, remedies: [] },
+  });
+  const hear = (...states: OperatorEvent[]) => act(() => states.forEach(hearOperator));
+  at.show(<RunSection />);
+  hear(state("failed", "machine-fault"), state("homing", null), state("failed", "driver-ended"));
+  expect(at.host.textContent).toContain("It is machine-fault");
+  expect(at.host.textContent).not.toContain("driver-ended");
+  const home = [...at.host.querySelectorAll("button")].find(({ textContent }) => textContent === "Home");
+  expect(home?.title).toBe("The machine failed: connect it again.");
+  // What else the machine's driver says is said below it.
+  hear(state("failed", "driver-refused"));
+  expect(at.host.querySelector("[role=alert]")?.textContent).toMatch(
+    /The machine failed.*It is machine-fault.*That did not work.*It is driver-refused/,
+  );
+  // It is of that connection alone.
+  hear(state("connected", null), state("failed", "driver-ended"));
+  expect(at.host.textContent).toContain("It is driver-ended");
+});
+
+it("says how to come to another machine while a wire is in the connected one, which cannot be disconnected then", () => {
+  useDesign.setState({ state: designState({ machine: "grbl-bender" }) });
+  useRun.setState({ state: machineState("holding", "resume", "speed") });
+  at.show(<RunSection />);
+  expect(at.host.textContent).toContain("Finish the wire or stop it first, then disconnect to connect the other one.");
+  expect(at.host.textContent).not.toContain("Disconnect it to connect the other one.");
+  // Nor between two wires of a row.
+  act(() => useRun.setState({ state: machineState("moving"), between: true }));
+  expect(at.host.textContent).toContain("Finish the wire or stop it first, then disconnect to connect the other one.");
+  act(() => useRun.setState({ between: false }));
+  act(() => useRun.setState({ state: machineState("ready", "disconnect") }));
+  expect(at.host.textContent).toContain("Disconnect it to connect the other one.");
+  useDesign.setState({ state: null });
 });
 
 it("says while it homes what moves and how to end it, without a figure that nobody knows", () => {

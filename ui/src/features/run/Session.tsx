@@ -3,11 +3,11 @@ import { Bar } from "../../shared/controls/inputs";
 import { Line } from "../../shared/lists/Line";
 import { useMachines } from "../../state/machine/machines";
 import type { MachineState } from "../../state/machine/operator";
-import { order } from "../../state/machine/run";
+import { isBending, order, useRun } from "../../state/machine/run";
 import { useRunFile, useRunMachine } from "../../state/program/run_file";
 import { buttons, doingPhrase } from "./buttons";
 import { Fault } from "./Fault";
-import { simulatedPhrase } from "./phrases";
+import { machinePhrase, simulatedPhrase } from "./phrases";
 import { useProspect } from "./prospect";
 
 /** It takes as long as the slowest axis needs for its way, which no machine tells beforehand. */
@@ -19,18 +19,19 @@ export function Session({ state }: { readonly state: MachineState }) {
   const file = useRunFile((run) => run.file);
   const machines = useMachines((store) => store.machines);
   const all = buttons(state, useProspect());
+  const bending = useRun(isBending);
   const name = (id: string | null) => machines?.find((machine) => machine.id === id)?.name ?? id ?? "none";
   const simulated = simulatedPhrase(state.simulated_as, name);
   const other = designed !== state.machine;
   const homing = state.phase === "homing" && !state.question;
-  const who = [name(state.machine), state.simulated ? "simulated" : state.port, state.identity];
+  const who = machinePhrase(name(state.machine), state);
   return (
     <div className="stack">
       <div className="run-state" role="status">
         <span className={`run-phase ${state.phase}`}>{doingPhrase(state)}</span>
         <span className="small">{homing && HOMING}</span>
         <span className="muted small" title={state.identity ?? undefined}>
-          {who.filter(Boolean).join(" · ")}
+          {who}
         </span>
         {homing && <Bar label="Homing" done={0} of={0} />}
         {simulated && <span className="muted small">{simulated}</span>}
@@ -41,7 +42,11 @@ export function Session({ state }: { readonly state: MachineState }) {
           <Line
             tone="warning"
             what={`${file ? file.name : "The design"} is for ${name(designed)}`}
-            sub={`${name(state.machine)} is connected. Disconnect it to connect the other one.`}
+            sub={
+              bending
+                ? `${name(state.machine)} is connected and has a wire in it. Finish the wire or stop it first, then disconnect to connect the other one.`
+                : `${name(state.machine)} is connected. Disconnect it to connect the other one.`
+            }
           />
         </ul>
       )}

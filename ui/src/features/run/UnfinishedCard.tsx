@@ -27,7 +27,9 @@ export function UnfinishedCard({
         <Mark tone="warning" /> <strong>{which} was interrupted</strong>
       </p>
       <p className="muted">
-        {leaving ? "Once it is given up, it cannot be resumed. Nothing moves for it." : unfinishedPhrase(unfinished)}
+        {leaving
+          ? "Once it is given up, it cannot be resumed. Giving it up moves nothing."
+          : unfinishedPhrase(unfinished)}
       </p>
       <div className={resumable ? "row end" : "row end turned"}>
         {leaving ? (

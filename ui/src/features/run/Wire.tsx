@@ -82,7 +82,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
       <Checkbox checked={cuts} onChange={setCut} why={busy ?? (state.cutter_mm === null ? NO_CUTTER : null)}>
         Cut each piece off
       </Checkbox>
-      <div className="row">
+      <div className="row run-main">
         {armed ? (
           <Button className="grow" why={all.disarm} onClick={() => void order({ order: "disarm" })}>
             Disarm

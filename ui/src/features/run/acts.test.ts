@@ -36,6 +36,14 @@ it("offers what the window can do as a button, each once and with what follows, 
   expect(found.others).toEqual([{ remedy: "cut-power" }]);
 });
 
+it("says of connecting again what the button does, and nothing of a machine that may still move", () => {
+  const again: ErrorRemedy[] = [{ remedy: "connect-again" }, { remedy: "connect-at", port: "/dev/ttyACM1" }];
+  expect(acts(again).acts.map(({ consequence }) => consequence)).toEqual([
+    "Closes this connection and makes another one. Connecting moves nothing.",
+    "Closes this connection and connects the machine at that port. Connecting moves nothing.",
+  ]);
+});
+
 it("orders what its button says, where the machine takes that order", () => {
   const [home] = acts([{ remedy: "home" }]).acts;
   expect(home?.why).toBeNull();

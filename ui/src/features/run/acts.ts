@@ -51,7 +51,7 @@ function giveUp({ unfinished }: MachineState, { abandon }: RunButtons): readonly
   return [
     {
       label: "Give the wire up",
-      consequence: "It cannot be resumed any more: cut it off and take it out. Nothing moves.",
+      consequence: "Giving it up moves nothing. The wire cannot be resumed any more: cut it off and take it out.",
       why: abandon,
       run: () => void order({ order: "abandon", job_hash, wire }),
     },
@@ -95,7 +95,7 @@ function actsFor(remedy: ErrorRemedy, state: MachineState, all: RunButtons, toAr
       return [
         {
           label: "Connect again",
-          consequence: "This connection is closed, and another one made. Nothing moves.",
+          consequence: "Closes this connection and makes another one. Connecting moves nothing.",
           why: null,
           run: () => void connect(state.port, state.simulated_as),
         },
@@ -104,7 +104,7 @@ function actsFor(remedy: ErrorRemedy, state: MachineState, all: RunButtons, toAr
       return [
         {
           label: `Connect ${remedy.port}`,
-          consequence: "This connection is closed, and one to the machine at that port made. Nothing moves.",
+          consequence: "Closes this connection and connects the machine at that port. Connecting moves nothing.",
           why: null,
           run: () => void connect(remedy.port, state.simulated_as),
         },
@@ -119,7 +119,7 @@ function actsFor(remedy: ErrorRemedy, state: MachineState, all: RunButtons, toAr
         },
         {
           label: "Disarm",
-          consequence: "The wire is not bent. Nothing moves.",
+          consequence: "The wire is not bent. Disarming moves nothing.",
           why: all.disarm,
           run: () => void order({ order: "disarm" }),
         },

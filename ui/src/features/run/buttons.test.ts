@@ -77,6 +77,18 @@ describe("buttons", () => {
     expect(buttons(because("ready", "home", "unable"), READY).home).toBe("This machine cannot do that.");
   });
 
+  it("homes no machine whose connection is lost, and one with an alarm, which homing ends", () => {
+    const failed = (code: string): MachineState => ({
+      ...state("failed", "home", "disconnect"),
+      problem: { code, message: "what went wrong", remedies: [] },
+    });
+    for (const code of ["unplugged", "driver-died", "driver-ended", "driver-hung", "no-answer"])
+      expect([code, buttons(failed(code), READY).home]).toEqual([code, "The machine failed: connect it again."]);
+    expect(buttons(failed("alarm"), READY).home).toBeNull();
+    // What went wrong then is no reason once it is connected again.
+    expect(buttons({ ...failed("unplugged"), phase: "connected" }, READY).home).toBeNull();
+  });
+
   it("arms nothing that cannot be made", () => {
     const ready = state("ready", "arm", "home");
     expect(buttons(ready, { ...READY, program: false, feasible: false })).toMatchObject({

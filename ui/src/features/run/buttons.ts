@@ -68,8 +68,28 @@ const UNABLE: Readonly<Partial<Record<OrderName, string>>> = {
   "write-settings": "This machine's settings cannot be written from here.",
 };
 
+/**
+ * Problems after which nothing is connected any more: the driver's process is gone, or the drivers' own word for a cable that is out. After
+ * others, such as an alarm, homing is the way on.
+ */
+const LOST: ReadonlySet<string> = new Set([
+  "driver-broken",
+  "driver-died",
+  "driver-ended",
+  "driver-garbage",
+  "driver-hung",
+  "driver-too-large",
+  "no-answer",
+  "unplugged",
+]);
+
+const isLost = ({ phase, problem }: MachineState): boolean =>
+  phase === "failed" && problem !== null && LOST.has(problem.code);
+
 function whyNot(state: MachineState | null, order: OrderName): Why {
   if (!state) return BECAUSE["not-connected"];
+  // It would be asked of a driver that is gone, and what that says would take the place of what went wrong.
+  if (order === "home" && isLost(state)) return BECAUSE.failed;
   const because = state.cannot.find((refused) => refused.order === order)?.because;
   if (because === undefined) return null;
   return (because === "unable" && UNABLE[order]) || BECAUSE[because];

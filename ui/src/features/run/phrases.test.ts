@@ -4,6 +4,7 @@ import type { Unfinished, WireRun, WireState } from "../../state/machine/operato
 import {
   endedPhrase,
   guess,
+  machinePhrase,
   movePhrase,
   portPhrase,
   progressPhrase,
@@ -22,6 +23,17 @@ const port = (name: string, given: Partial<PortEntry> = {}): PortEntry => ({
 });
 const SIM = port("sim", { simulated: true, description: "simulated machine, in real time" });
 const UNO = port("/dev/ttyACM0", { description: "Arduino Uno", likely_for: ["wirebend-kit"] });
+
+it("says of the machine that is connected what it says of itself, and its name once: there is room for a line", () => {
+  const of = (identity: string | null, simulated = false) => ({ simulated, port: "/dev/ttyACM0", identity });
+  expect(machinePhrase("WireBend-kit", of("WireBend-kit, firmware 1.13", true))).toBe(
+    "WireBend-kit · simulated · firmware 1.13",
+  );
+  expect(machinePhrase("Mine", of("WireBend-kit, firmware 1.13"))).toBe(
+    "Mine · /dev/ttyACM0 · WireBend-kit, firmware 1.13",
+  );
+  expect(machinePhrase("Mine", of(null))).toBe("Mine · /dev/ttyACM0");
+});
 
 describe("a simulated machine", () => {
   it("is named by what it has that its profile does not", () => {

@@ -5,7 +5,7 @@ import type { PortEntry } from "../../generated/responses";
 import { errorText } from "../../platform/error_text";
 import { angle, type DisplayUnit, deviation, length, time } from "../../shared/figures/format";
 import type { Tone } from "../../shared/lists/Mark";
-import type { Move, Unfinished, WireRun, WireState } from "../../state/machine/operator";
+import type { MachineState, Move, Unfinished, WireRun, WireState } from "../../state/machine/operator";
 import type { Row } from "../../state/machine/row";
 import type { EndedAs } from "../../state/machine/run";
 import type { Arming } from "./arming";
@@ -15,6 +15,15 @@ export function portPhrase({ name, description, usb, likely_for, simulated }: Po
   const what = simulated ? description || "simulated machine" : description || (usb?.product ?? "");
   const parts = [name, what, likely_for.length > 0 && !simulated ? "probably this one" : ""];
   return parts.filter((part) => part !== "").join(" · ");
+}
+
+/** "WireBend-kit · simulated · firmware 1.13": what is connected, where, and what it says of itself beyond its name. */
+export function machinePhrase(
+  name: string,
+  { simulated, port, identity }: Pick<MachineState, "simulated" | "port" | "identity">,
+): string {
+  const said = identity?.startsWith(`${name}, `) ? identity.slice(name.length + 2) : identity;
+  return [name, simulated ? "simulated" : port, said].filter(Boolean).join(" · ");
 }
 
 /** The port that is tried unless a person says another: a likely one, else the simulated machine; an unlikely one never. */

@@ -58,6 +58,28 @@ it("finds a sequence with the material of the machine, and steps through it on t
   expect(at.host.textContent).not.toContain("step 2 / 2 · edge 1");
 });
 
+it("asks before a search replaces an order that was changed by hand, and only then", async () => {
+  HTMLDialogElement.prototype.showModal ??= () => {};
+  at.show(<SequenceSection />);
+  await press("Find");
+  await press("Find");
+  expect(ask).toHaveBeenCalledTimes(2);
+  ask.mockResolvedValue(sequenceDrawn([1, 0]));
+  await press("Earlier");
+  expect(ask).toHaveBeenCalledTimes(3);
+  const { changed } = useSequence.getState();
+  expect(changed).not.toBeNull();
+  await press("Find");
+  expect(at.host.querySelector("dialog")?.textContent).toContain("You changed the order by hand.");
+  await press("Cancel");
+  expect(at.host.querySelector("dialog")).toBeNull();
+  expect([ask.mock.calls.length, useSequence.getState().changed]).toEqual([3, changed]);
+  await press("Find");
+  await press("Replace and find");
+  expect([ask.mock.calls.length, useSequence.getState().changed]).toEqual([4, null]);
+  expect(at.host.querySelector("dialog")).toBeNull();
+});
+
 it("says what is wrong with an order of one's own, and takes it back", async () => {
   at.show(<SequenceSection />);
   await press("Find");

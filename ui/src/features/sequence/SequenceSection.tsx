@@ -1,4 +1,4 @@
-import { useEffect } from "react";
+import { useEffect, useState } from "react";
 import type { DrawnSequence } from "../../generated/responses";
 import { Button } from "../../shared/controls/Button";
 import { Field } from "../../shared/controls/Field";
@@ -6,6 +6,7 @@ import { Bar, Checkbox, Segmented, Select } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
 import { number, sentence, time } from "../../shared/figures/format";
 import { useLengths } from "../../shared/figures/unit";
+import { Dialog } from "../../shared/layers/Dialog";
 import { Line } from "../../shared/lists/Line";
 import { useWork } from "../../state/asking/work";
 import { useDesign } from "../../state/design/design";
@@ -83,8 +84,31 @@ export function SequenceSection() {
   );
 }
 
+/** Asked before an order that a person has made is replaced. */
+function FindingAgain({ onClose, onFind }: { readonly onClose: () => void; readonly onFind: () => void }) {
+  return (
+    <Dialog
+      title="Replace your order?"
+      onClose={onClose}
+      actions={
+        <>
+          <Button data-first onClick={onClose}>
+            Cancel
+          </Button>
+          <Button kind="danger" onClick={onFind}>
+            Replace and find
+          </Button>
+        </>
+      }
+    >
+      <p>You changed the order by hand. The order that is found replaces it. It cannot be undone.</p>
+    </Dialog>
+  );
+}
+
 function Setup() {
-  const { machine, epsilon, groupBy, asking, cancelled, checking } = useSequence();
+  const { machine, epsilon, groupBy, asking, cancelled, checking, changed } = useSequence();
+  const [replacing, setReplacing] = useState(false);
   const wires = useDesign(({ state }) => state?.walks.length ?? 0);
   const builders = useFrame(({ choices }) => choices?.strut_builders ?? null);
   const stale = useSequenceStale();
@@ -101,6 +125,10 @@ function Setup() {
     : checking
       ? "The order is being checked."
       : null;
+  const find = () => {
+    setReplacing(false);
+    void findSequence(builder?.default_material ?? null);
+  };
   return (
     <>
       <Field label="Machine">
@@ -141,6 +169,7 @@ function Setup() {
               {...ids}
               label="Sag, at most"
               value={epsilon}
+              positive
               min={1e-6}
               max={1e6}
               placeholder="automatic"
@@ -180,16 +209,12 @@ function Setup() {
             Cancel
           </Button>
         ) : (
-          <Button
-            kind="primary"
-            className="frame-go"
-            why={why}
-            onClick={() => void findSequence(builder?.default_material ?? null)}
-          >
+          <Button kind="primary" className="frame-go" why={why} onClick={() => (changed ? setReplacing(true) : find())}>
             Find
           </Button>
         )}
       </div>
+      {replacing && <FindingAgain onClose={() => setReplacing(false)} onFind={find} />}
       <div className="frame-bar">
         {(asking || checking) && (
           <Bar done={asking ? (work?.done ?? 0) : 0} of={asking ? (work?.of ?? 0) : 0} label="Looking for a sequence" />

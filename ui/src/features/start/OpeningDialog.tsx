@@ -151,7 +151,16 @@ function Asking({ opening }: { readonly opening: Opening }) {
       {opening.look.seen !== "document" && (
         <Field label="Scale">
           {({ id }) => (
-            <NumberField id={id} kind="number" label="Scale" value={scale} min={1e-6} max={1e6} onCommit={setScale} />
+            <NumberField
+              id={id}
+              kind="number"
+              label="Scale"
+              value={scale}
+              positive
+              min={1e-6}
+              max={1e6}
+              onCommit={setScale}
+            />
           )}
         </Field>
       )}

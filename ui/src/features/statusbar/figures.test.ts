@@ -33,8 +33,11 @@ describe("figures", () => {
       "12.22 m",
       "176",
       "52:10",
-      "$23.50",
+      "$24.30",
     ]);
+    expect(figures(check([wire()]), 11_220, "mm").at(-1)?.title).toBe(
+      "Price of the stock to load, with the unusable tail. Wire in the part: $23.50",
+    );
   });
 
   it("adds wires up, and does not show a sum that is not one", () => {
@@ -58,7 +61,7 @@ const state = (given: Partial<DesignState>): DesignState => designState({ file: 
 describe("figures of a design without a route", () => {
   it("says how long its wire is at least", () => {
     const all = figures(
-      check([wire({ length_mm: null, stock_mm: null, time_s: null, cost: null, bends: null })]),
+      check([wire({ length_mm: null, stock_mm: null, time_s: null, cost: null, stock_cost: null, bends: null })]),
       1218.24,
       "mm",
     );

@@ -71,8 +71,9 @@ export function figures(check: LiveCheck | null, drawn: number, unit: DisplayUni
     },
     {
       name: "Cost",
-      value: shown(cost, (value) => money(value, wires[0]?.currency ?? null)),
-      title: `Price of the wire that is fed${several}; of the stock, with the unusable tail: ${shown(stockCost, (value) => money(value, wires[0]?.currency ?? null))}`,
+      // What a person pays for, as in the fixes and the comparison of machines.
+      value: shown(stockCost, (value) => money(value, wires[0]?.currency ?? null)),
+      title: `Price of the stock to load${several}, with the unusable tail. Wire in the part: ${shown(cost, (value) => money(value, wires[0]?.currency ?? null))}`,
     },
   ];
 }

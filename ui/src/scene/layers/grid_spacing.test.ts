@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { INCH, MM } from "../testing";
-import { gridSpacing, spacingText } from "./grid_spacing";
+import { gridSpacing, gridText } from "./grid_spacing";
 
 it.each([
   // A cell of 10 mm is 9 pixels at 10/9 mm a pixel: below that it is fine enough.
@@ -21,7 +21,7 @@ it("fades fine lines in as they come apart", () => {
 it("counts in inches for users who do", () => {
   const spacing = gridSpacing(0.3, INCH);
   expect(spacing.mm).toBeCloseTo(25.4);
-  expect(spacingText(spacing, INCH)).toBe("1 in");
+  expect(gridText(spacing, INCH)).toBe("Grid 1 in");
 });
 
 it("has its lines where the grid is that is drawn on: 7 mm, and every tenth of them from far away", () => {
@@ -29,4 +29,13 @@ it("has its lines where the grid is that is drawn on: 7 mm, and every tenth of t
   expect(gridSpacing(0.1, MM, 7).mm).toBe(7);
   expect(gridSpacing(1, MM, 7).mm).toBe(70);
   expect(gridSpacing(0.3, INCH, 6.35).mm).toBe(6.35);
+});
+
+it("says where clicks go while they snap to it, also where only every tenth of its lines can be seen", () => {
+  const spacing = gridSpacing(0.5, MM, 5);
+  expect([spacing.mm, spacing.fine]).toEqual([5, expect.closeTo(0.046, 2)]);
+  expect(gridText(spacing, MM)).toBe("Grid 50 mm");
+  expect(gridText({ ...spacing, clicks: 5 }, MM)).toBe("Grid 5 mm\nLines 50 mm");
+  expect(gridText({ ...gridSpacing(0.1, MM, 5), clicks: 5 }, MM)).toBe("Grid 5 mm");
+  expect(gridText({ ...gridSpacing(0.1, INCH, 6.35), clicks: 6.35 }, INCH)).toBe("Grid 0.25 in");
 });

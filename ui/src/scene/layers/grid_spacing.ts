@@ -7,6 +7,8 @@ export interface Spacing {
   readonly mm: number;
   /** 0 to 1: how strong the fine lines are; at 0 they go, and the stronger ones become the fine ones. */
   readonly fine: number;
+  /** How far apart the points are that clicks go to, mm; absent or 0 where they go to none. */
+  readonly clicks?: number;
 }
 
 /** Fine lines are at least this far apart, CSS pixels. */
@@ -21,7 +23,13 @@ export function gridSpacing(pixel: number, lengths: LengthFormat, snapped = 0): 
   return { mm, fine: Math.min(Math.max(apart, 0), 1) };
 }
 
-/** What the lines that can be seen stand for, as it is written. */
-export function spacingText({ mm, fine }: Spacing, lengths: LengthFormat): string {
-  return `${lengths.short(fine < 0.3 ? mm * 10 : mm)} ${lengths.name}`;
+/**
+ * What is said of the grid: how far apart the points are that clicks go to, and below it what the lines stand for that can be seen, where that
+ * is not the same; otherwise the latter alone.
+ */
+export function gridText({ mm, fine, clicks = 0 }: Spacing, lengths: LengthFormat): string {
+  const seen = fine < 0.3 ? mm * 10 : mm;
+  const text = (apart: number) => `${lengths.short(apart)} ${lengths.name}`;
+  if (clicks <= 0 || text(clicks) === text(seen)) return `Grid ${text(seen)}`;
+  return `Grid ${text(clicks)}\nLines ${text(seen)}`;
 }

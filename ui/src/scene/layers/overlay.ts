@@ -27,7 +27,8 @@ export class Overlay {
       borderRadius: "6px",
       display: "none",
     });
-    Object.assign(this.scale.style, text, { bottom: "10px", opacity: "0.62" });
+    // Two lines of it end below what is above the help.
+    Object.assign(this.scale.style, text, { bottom: "12px", lineHeight: "16px", opacity: "0.62" });
     // The picture's own scale says nothing to a user who cannot see the picture.
     this.scale.ariaHidden = "true";
     this.element.append(this.frame, this.number, this.scale);

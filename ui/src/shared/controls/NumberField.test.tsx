@@ -105,6 +105,46 @@ describe("a field for a length", () => {
     expect(committed).toEqual([]);
   });
 
+  it("says its limits with their unit, thousands apart, and one that it has to exceed as such", () => {
+    const said = (props: Parameters<typeof show>[0], text: string) => {
+      type(show(props), text, "Shift");
+      return at.host.querySelector("[role=alert]")?.textContent;
+    };
+    expect(said({ min: 1e-3, max: 1e4, positive: true }, "0")).toBe("Expected more than 0 mm, at most 10\u202f000 mm");
+    expect(said({ min: 0, max: 100 }, "200")).toBe("Expected from 0 mm to 100 mm");
+    expect(said({ min: 0 }, "-1")).toBe("Expected at least 0 mm");
+    expect(said({ max: 2.5 }, "3")).toBe("Expected at most 2.5 mm");
+    expect(said({ kind: "angle", min: 1, max: 90 }, "91")).toBe("Expected from 1° to 90°");
+    expect(said({ kind: "whole", min: 3, max: 10_000 }, "2")).toBe("Expected from 3 to 10\u202f000");
+    expect(said({ kind: "percent", min: 0.001, max: 0.999 }, "0")).toBe("Expected from 0.1 % to 99.9 %");
+    expect(said({ kind: "number", unit: "N", min: 1e-6, positive: true }, "0")).toBe("Expected more than 0 N");
+    unit = "inch";
+    expect(said({ min: 25.4, max: 25_400 }, "0")).toBe("Expected from 1 in to 1\u202f000 in");
+  });
+
+  it("still says of a value that was left with Tab that it was not taken, until the field is used again", () => {
+    const said = () => at.host.querySelector("[role=alert]")?.textContent;
+    const left = (field: HTMLInputElement) =>
+      act(() => void field.dispatchEvent(new FocusEvent("focusout", { bubbles: true })));
+    const field = show({ min: 0, max: 100 });
+    type(field, "200", "Shift");
+    left(field);
+    expect([field.value, committed]).toEqual(["10.0", []]);
+    expect(said()).toBe("“200” was not taken: expected from 0 mm to 100 mm");
+    type(field, "20", "Shift");
+    expect(said()).toBeUndefined();
+    type(field, "cat", "Shift");
+    left(field);
+    expect(said()).toContain("“cat” was not taken: expected a length such as 12.5");
+    // Another value is no longer about it.
+    show({ value: 11, min: 0, max: 100 });
+    expect(said()).toBeUndefined();
+    type(field, "200", "Shift");
+    left(field);
+    act(() => void document.dispatchEvent(new PointerEvent("pointerdown", { bubbles: true })));
+    expect(said()).toBeUndefined();
+  });
+
   it("takes back what was typed with Escape", () => {
     const field = show();
     type(field, "99", "Escape");

@@ -19,6 +19,8 @@ interface Kind {
   /** What is read, said to a person whose text is not. */
   readonly expected: string;
   show(value: number): string;
+  /** The same within a sentence: with its unit, and no more digits than it needs. */
+  say(value: number): string;
   read(text: string): number | null;
   /** What an arrow key adds. */
   readonly step: number;
@@ -34,6 +36,7 @@ const plainNumber = (unit: string): Kind => ({
   unit,
   expected: "a number, or a sum such as 12+3.5",
   show: (value) => short(value).replace(/\u202f/g, ""),
+  say: (value) => short(value) + (unit && ` ${unit}`),
   read: (text) => parseNumber(unit && text.trimEnd().endsWith(unit) ? text.trimEnd().slice(0, -unit.length) : text),
   step: 0.1,
 });
@@ -45,6 +48,7 @@ const fineLength = (unit: DisplayUnit, per: string): Kind => {
     unit: unitName(unit) + per,
     expected: lengthExpected(unit),
     show: (value) => short(value / mm).replace(/\u202f/g, ""),
+    say: (value) => `${short(value / mm)} ${unitName(unit)}${per}`,
     read: (text) =>
       parseLength(per && text.trimEnd().endsWith(per) ? text.trimEnd().slice(0, -per.length) : text, unit),
     step: 0.1 * (unit === "inch" ? 2.54 : 1),
@@ -60,6 +64,7 @@ function quantity(kind: Quantity, unit: DisplayUnit, own: string): Kind {
         unit: unitName(unit),
         expected: lengthExpected(unit),
         show: (mm) => plain(lengthNumber(mm, unit)),
+        say: (mm) => `${short(mm / unitSize(unit))} ${unitName(unit)}`,
         read: (text) => parseLength(text, unit),
         step: unit === "inch" ? 2.54 : 1,
       };
@@ -70,6 +75,7 @@ function quantity(kind: Quantity, unit: DisplayUnit, own: string): Kind {
         unit: "°",
         expected: "an angle such as 45, or a sum such as 90-7.5",
         show: (deg) => plain(number(deg)),
+        say: (deg) => `${short(deg)}°`,
         read: parseAngle,
         step: 1,
       };
@@ -78,6 +84,7 @@ function quantity(kind: Quantity, unit: DisplayUnit, own: string): Kind {
         unit: "%",
         expected: "a number of percent, such as 50",
         show: (share) => plain(number(share * 100, Number.isInteger(Math.round(share * 1e6) / 1e4) ? 0 : 1)),
+        say: (share) => `${short(share * 100)} %`,
         read: (text) => {
           const value = parseNumber(text.replace(/%\s*$/, ""));
           return value === null ? null : value / 100;
@@ -89,6 +96,7 @@ function quantity(kind: Quantity, unit: DisplayUnit, own: string): Kind {
         unit: "",
         expected: "a whole number",
         show: (value) => plain(number(value, 0)),
+        say: (value) => number(value, 0),
         read: (text) => {
           const value = parseNumber(text);
           return value !== null && Number.isInteger(value) ? value : null;
@@ -98,6 +106,14 @@ function quantity(kind: Quantity, unit: DisplayUnit, own: string): Kind {
     case "number":
       return plainNumber(own);
   }
+}
+
+/** "from 3 to 10 000", "more than 0 mm, at most 100 mm". `positive`: the least is only there to keep out nothing. */
+function limitsText({ say }: Kind, min: number, max: number, positive: boolean): string {
+  const most = Number.isFinite(max) ? say(max) : null;
+  if (positive) return `more than ${say(0)}${most === null ? "" : `, at most ${most}`}`;
+  if (most === null) return `at least ${say(min)}`;
+  return Number.isFinite(min) ? `from ${say(min)} to ${most}` : `at most ${most}`;
 }
 
 const isInMenu = (target: EventTarget | null): boolean =>
@@ -122,6 +138,8 @@ export interface NumberFieldProps {
   readonly onType?: (value: number | null, isTyping: boolean) => void;
   readonly min?: number;
   readonly max?: number;
+  /** It has to be more than 0: `min` is as little as is worth a number. */
+  readonly positive?: boolean;
   readonly placeholder?: string;
   readonly why?: string | null | undefined;
   readonly id?: string;
@@ -141,6 +159,7 @@ export function NumberField({
   onType,
   min = -Infinity,
   max = Infinity,
+  positive = false,
   placeholder,
   why,
   id,
@@ -153,8 +172,11 @@ export function NumberField({
   /** Enter was pressed on it as it stands. */
   const [entered, setEntered] = useState(false);
   const inRange = (number: number | null) => (number !== null && number >= min && number <= max ? number : null);
+  /** What was left in the field though it could not be taken, and what is expected instead. */
+  const [refused, setRefused] = useState<string | null>(null);
   const setTyped = (text: string | null) => {
     keepTyped(text);
+    setRefused(null);
     setEntered(false);
     onType?.(text === null ? null : inRange(how.read(text)), text !== null);
   };
@@ -178,9 +200,7 @@ export function NumberField({
   const read = typed === null ? value : how.read(typed);
   const outside = read !== null && inRange(read) === null;
   const wrong = typed !== null && typed.trim() !== "" && (read === null || outside);
-  const limits = outside
-    ? `from ${Number.isFinite(min) ? how.show(min) : "any"} to ${Number.isFinite(max) ? how.show(max) : "any"}`
-    : how.expected;
+  const limits = outside ? limitsText(how, min, max, positive) : how.expected;
   // What ends so is not written to its end: it is no time to correct it, unless Enter says that it is.
   const halfWritten = typed !== null && !entered && /[-\u2212+.,/]\s*$/.test(typed);
 
@@ -222,8 +242,11 @@ export function NumberField({
     }
   };
   const left = () => {
-    if (wrong) setTyped(null);
-    else commit();
+    if (wrong) {
+      setTyped(null);
+      // The value of before is back: without a word it would be taken for the one that was typed.
+      setRefused(`“${typed.trim()}” was not taken: expected ${limits}`);
+    } else commit();
     stepped.current = [];
   };
   const leave = ({ relatedTarget }: FocusEvent) => {
@@ -241,6 +264,13 @@ export function NumberField({
     document.addEventListener("focusin", look);
     return () => document.removeEventListener("focusin", look);
   });
+  // It was read by whoever goes on elsewhere with the pointer; with keys it stays until they come back.
+  useEffect(() => {
+    if (refused === null) return;
+    const over = () => setRefused(null);
+    document.addEventListener("pointerdown", over);
+    return () => document.removeEventListener("pointerdown", over);
+  }, [refused]);
   /** A click beside the digits, such as on the unit, is one on the field. */
   const beside = (event: MouseEvent) => {
     if (event.target === field.current) return;
@@ -276,7 +306,10 @@ export function NumberField({
         aria-disabled={why ? true : undefined}
         value={typed ?? shown}
         placeholder={placeholder}
-        onFocus={(event) => event.currentTarget.select()}
+        onFocus={(event) => {
+          setRefused(null);
+          event.currentTarget.select();
+        }}
         onChange={(event) => !why && setTyped(event.currentTarget.value)}
         onBlur={leave}
         onKeyDown={keys}
@@ -289,6 +322,11 @@ export function NumberField({
       {wrong && !halfWritten && (
         <span className="number-expected" role="alert">
           Expected {limits}
+        </span>
+      )}
+      {refused !== null && (
+        <span className="number-expected left" role="alert">
+          {refused}
         </span>
       )}
     </span>

@@ -52,3 +52,19 @@ it("gives the focus back to what has opened it", async () => {
 it("gives the focus to the section of what has opened it where that is gone", async () => {
   expect(await openAndClose(false)).toBe("Head");
 });
+
+it("closes with Esc only the dialog that is in front", () => {
+  const closed: string[] = [];
+  at.show(
+    <Dialog title="Calibrate" onClose={() => closed.push("Calibrate")}>
+      <Dialog title="Replace?" onClose={() => closed.push("Replace?")}>
+        Text
+      </Dialog>
+    </Dialog>,
+  );
+  const [behind, front] = at.host.querySelectorAll("dialog");
+  act(() => void front?.dispatchEvent(new Event("cancel", { cancelable: true })));
+  expect(closed).toEqual(["Replace?"]);
+  act(() => void behind?.dispatchEvent(new Event("cancel", { cancelable: true })));
+  expect(closed).toEqual(["Replace?", "Calibrate"]);
+});

@@ -53,6 +53,8 @@ export function Dialog({
       className={large ? "dialog large" : wide ? "dialog wide" : "dialog"}
       aria-labelledby={id}
       onCancel={(event) => {
+        // Esc in a dialog that was opened from this one is for that one alone.
+        if (event.target !== event.currentTarget) return;
         event.preventDefault();
         onClose?.();
       }}

@@ -15,7 +15,15 @@ import { useFiles } from "../files/files";
 import { useMachines } from "../machine/machines";
 import { designState } from "../testing";
 import { applyCalibration, revertCalibration } from "./applying";
-import { chooseShape, closeCalibration, enterReading, openCalibration, openSheet, useCalibration } from "./calibration";
+import {
+  chooseShape,
+  closeCalibration,
+  enterBent,
+  enterReading,
+  openCalibration,
+  openSheet,
+  useCalibration,
+} from "./calibration";
 
 let second: number | null;
 const rows = () => [
@@ -62,6 +70,23 @@ it("takes a reading out without losing the others of its row", async () => {
   const [row] = useCalibration.getState().sheet?.rows ?? [];
   if (row) await enterReading(row, 0, null);
   expect(asked("calibrate-enter")).toEqual([{ sheet: "/c/sheet.csv", readings: ["side-35:1=-,-"] }]);
+});
+
+it("says of which jobs a simulated machine has bent nothing new, until something else is done", async () => {
+  const jobs = ["/c/angles.wbjob", "/c/sides.wbjob", "/c/turns.wbjob"];
+  useCalibration.setState(({ sheet }) => ({ sheet: sheet && { ...sheet, jobs } }));
+  const answer = ask.getMockImplementation();
+  ask.mockImplementation(async (name: string, request: { bent?: string[] }) =>
+    name === "calibrate-enter" && request.bent
+      ? { entered: request.bent[0] === "/c/sides.wbjob" ? 4 : 0 }
+      : answer?.(name, request),
+  );
+  expect(await enterBent()).toBe(true);
+  expect(asked("calibrate-enter").map(({ bent }) => bent)).toEqual(jobs.map((job) => [job]));
+  expect(useCalibration.getState().unbent).toEqual(["/c/angles.wbjob", "/c/turns.wbjob"]);
+  const [row] = useCalibration.getState().sheet?.rows ?? [];
+  if (row) await enterReading(row, 0, 38);
+  expect(useCalibration.getState().unbent).toEqual([]);
 });
 
 it("says why a reading was not entered, and goes on", async () => {

@@ -28,6 +28,13 @@ export interface CouponRequest {
   readonly folder: string;
 }
 
+/** A folder that has coupons. */
+interface Occupied {
+  readonly folder: string;
+  /** How many readings the sheet in it has; null where that could not be read. */
+  readonly readings: number | null;
+}
+
 /** What was applied, and the way back. */
 interface Applied {
   readonly result: CalibrateApplyResponse;
@@ -58,7 +65,7 @@ interface CalibrationStore {
   /** What they were made for. */
   readonly madeFor: CouponRequest | null;
   /** A folder in which coupons were not made, since it has some: to replace them is for a person to say. */
-  readonly occupied: string | null;
+  readonly occupied: Occupied | null;
   readonly shape: SpringbackShape;
   /** What the sheet tells; null where it tells nothing yet: see `gap`. */
   readonly report: CalibrationReport | null;
@@ -69,6 +76,8 @@ interface CalibrationStore {
   readonly versions: CalibrateCompareResponse | null;
   /** What of it was taken back; null where nothing was. */
   readonly reverted: Reverted | null;
+  /** Jobs of which there was nothing new to enter when simulated runs were asked for; empty as long as they were not. */
+  readonly unbent: readonly string[];
   /** Why the last thing came to nothing. */
   readonly problem: string | null;
   readonly busy: boolean;
@@ -87,6 +96,7 @@ const EMPTY: CalibrationStore = {
   applied: null,
   versions: null,
   reverted: null,
+  unbent: [],
   problem: null,
   busy: false,
 };
@@ -102,7 +112,7 @@ const messageOf = (error: unknown): string => (error instanceof Error ? error.me
 let last: Promise<unknown> = Promise.resolve();
 export function working(work: () => Promise<void>): Promise<boolean> {
   const done = last.then(async () => {
-    useCalibration.setState({ busy: true, problem: null });
+    useCalibration.setState({ busy: true, problem: null, unbent: [] });
     try {
       await work();
       return true;
@@ -148,20 +158,47 @@ function readAgain(): Promise<boolean> {
   });
 }
 
+/** Why the sheet could not be read when that was last tried by itself. */
+let unreadable: string | null = null;
+
+/**
+ * The same while the dialog is open, such as when a person comes back from a spreadsheet. What was said before stays; a sheet that cannot be
+ * read just now stays as it was.
+ */
+export function refreshSheet(): Promise<void> {
+  const done = last.then(async () => {
+    const { open, sheet } = useCalibration.getState();
+    if (!open || !sheet) return;
+    try {
+      const table = await platform.ask("calibrate-sheet", { sheet: sheet.sheet });
+      if (JSON.stringify(table) !== JSON.stringify(sheet)) await take(table);
+      const over = unreadable;
+      unreadable = null;
+      if (over !== null) useCalibration.setState(({ problem }) => ({ problem: problem === over ? null : problem }));
+    } catch (error) {
+      unreadable = messageOf(error);
+      useCalibration.setState({ problem: unreadable });
+    }
+  });
+  last = done;
+  return done;
+}
+
 export function closeCalibration(): void {
   useCalibration.setState({ open: false });
 }
 
 export function showStep(step: CalibrationStep): void {
-  useCalibration.setState({ step, problem: null, occupied: null });
+  useCalibration.setState({ step, problem: null, occupied: null, unbent: [] });
 }
 
 /** The readings of the sheet, and how they are fitted, as one text. */
 export const readingsOf = ({ sheet, shape }: Pick<CalibrationStore, "sheet" | "shape">): string =>
   JSON.stringify([sheet?.sheet, sheet?.rows.map(({ readings }) => readings), shape]);
 
-async function read(sheet: string): Promise<void> {
-  const table = await platform.ask("calibrate-sheet", { sheet });
+const read = async (sheet: string): Promise<void> => take(await platform.ask("calibrate-sheet", { sheet }));
+
+async function take(table: CalibrationSheet): Promise<void> {
   // Other readings hold other versions to be better.
   useCalibration.setState(({ applied, shape }) => {
     const stays = applied?.readings === readingsOf({ sheet: table, shape });
@@ -189,6 +226,16 @@ async function fitAnew(): Promise<void> {
   }
 }
 
+/** How many readings the sheet of the coupons in a folder has; null where it cannot be read. */
+async function readingsIn(folder: string): Promise<number | null> {
+  try {
+    const { rows } = await platform.ask("calibrate-sheet", { sheet: `${folder}/sheet.csv` });
+    return rows.flatMap(({ readings }) => readings).filter((reading) => reading !== null).length;
+  } catch {
+    return null;
+  }
+}
+
 /** Writes coupons as jobs and a sheet into a folder. `force`: those that are there are replaced, with the readings of their sheet. */
 export function makeCoupons(request: CouponRequest, force: boolean): Promise<boolean> {
   return working(async () => {
@@ -198,7 +245,7 @@ export function makeCoupons(request: CouponRequest, force: boolean): Promise<boo
       made = await platform.ask("calibrate-new", { ...request, angles_deg: [...request.angles_deg], force });
     } catch (error) {
       if (!(error instanceof Refused && error.refusal.code === "exists")) throw error;
-      useCalibration.setState({ occupied: request.folder });
+      useCalibration.setState({ occupied: { folder: request.folder, readings: await readingsIn(request.folder) } });
       return;
     }
     useCalibration.setState({ made, madeFor: request });
@@ -222,11 +269,16 @@ export function openSheet(sheet: string, step: CalibrationStep): Promise<boolean
 /** Enters a reading, or takes it out, and fits anew. */
 export function enterReading(row: CalibrationRow, at: number, value: number | null): Promise<boolean> {
   return working(async () => {
-    const { sheet } = useCalibration.getState();
-    // What was entered into the row just before counts.
-    const now = sheet?.rows.find(({ line }) => line === row.line);
-    if (!sheet || !now)
+    const known = useCalibration.getState().sheet;
+    // A row is written as a whole: what was entered into it just before counts, here or in the file.
+    const sheet = known && (await platform.ask("calibrate-sheet", { sheet: known.sheet }));
+    const now = sheet?.rows.find(
+      ({ line, coupon, row: n }) => line === row.line && coupon === row.coupon && n === row.row,
+    );
+    if (!sheet || !now) {
+      if (sheet) await take(sheet);
       throw new Error(`The sheet has no row ${row.row} of ${row.coupon} any more: the reading was not entered.`);
+    }
     const readings = Array.from({ length: Math.max(at + 1, now.readings.length) }, (_, index) =>
       index === at ? value : (now.readings[index] ?? null),
     );
@@ -244,8 +296,17 @@ export function enterBent(): Promise<boolean> {
   return working(async () => {
     const { sheet } = useCalibration.getState();
     if (!sheet) return;
-    await platform.ask("calibrate-enter", { sheet: sheet.sheet, bent: [...sheet.jobs] });
-    await read(sheet.sheet);
+    const unbent: string[] = [];
+    try {
+      // One by one: what is entered is told of all jobs together.
+      for (const job of sheet.jobs) {
+        const { entered } = await platform.ask("calibrate-enter", { sheet: sheet.sheet, bent: [job] });
+        if (entered === 0) unbent.push(job);
+      }
+    } finally {
+      await read(sheet.sheet);
+    }
+    useCalibration.setState({ unbent });
   });
 }
 

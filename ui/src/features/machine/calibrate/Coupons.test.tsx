@@ -96,6 +96,37 @@ it("replaces coupons that are there only when that is said, with what is chosen 
   expect(text()).toContain("Bend these");
 });
 
+it("says how many readings are lost with coupons that are replaced, and asks before", async () => {
+  HTMLDialogElement.prototype.showModal ??= () => {};
+  const rows = [{ readings: [58, null] }, { readings: [60, 61] }];
+  const answer = ask.getMockImplementation();
+  let there: object | null = { rows };
+  ask.mockImplementation((name: string, request: { sheet?: string; force?: boolean }) => {
+    if (name === "calibrate-new" && !request.force) throw new Refused({ code: "exists" });
+    if (name !== "calibrate-sheet") return answer?.(name, request);
+    if (!there) throw new Error("it cannot be read");
+    return there;
+  });
+  at.show(<Coupons />);
+  await press("Make coupons in a folder…");
+  expect(ask).toHaveBeenCalledWith("calibrate-sheet", { sheet: "/c/first/sheet.csv" });
+  expect(text()).toContain("Replacing deletes the 3 readings in their sheet.");
+  await press("Replace…");
+  expect(asked().filter(({ force }) => force)).toEqual([]);
+  expect(at.host.querySelector("dialog")?.textContent).toContain("This deletes the 3 readings in their sheet.");
+  await press("Cancel");
+  expect(at.host.querySelector("dialog")).toBeNull();
+  expect(asked().filter(({ force }) => force)).toEqual([]);
+  there = null;
+  await press("Make coupons in a folder…");
+  await press("Replace…");
+  expect(at.host.querySelector("dialog")?.textContent).toContain("This deletes the readings in their sheet.");
+  there = { sheet: "/c/first/sheet.csv", machine: "kit", material: "steel", rows: [], jobs: [] };
+  await press("Replace and delete");
+  expect(asked().at(-1)).toEqual({ ...request, force: true });
+  expect(text()).not.toContain("already");
+});
+
 it("keeps nothing to replace once a person has gone elsewhere, and says what else is wrong as before", async () => {
   at.show(<Coupons />);
   ask.mockRejectedValueOnce(new Refused({ code: "exists" }));

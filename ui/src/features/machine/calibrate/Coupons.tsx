@@ -6,6 +6,7 @@ import { Select, TextInput } from "../../../shared/controls/inputs";
 import { NumberField } from "../../../shared/controls/NumberField";
 import { count, time } from "../../../shared/figures/format";
 import { useLengths } from "../../../shared/figures/unit";
+import { Dialog } from "../../../shared/layers/Dialog";
 import { Line } from "../../../shared/lists/Line";
 import { told } from "../../../state/asking/problems";
 import {
@@ -19,7 +20,7 @@ import { useDesign } from "../../../state/design/design";
 import { baseName, runFile } from "../../../state/files/files";
 import { useMachines } from "../../../state/machine/machines";
 import { type SheetOf, useSheetName } from "./sheet_name";
-import { parseAngles } from "./words";
+import { lostReadings, parseAngles, usualAngles } from "./words";
 
 const SHEETS = { name: "Sheets", extensions: ["csv"] } as const;
 /** It is a folder that is named: there is no ending. */
@@ -73,6 +74,38 @@ function Of({ sheet, other }: { readonly sheet: SheetOf; readonly other: string 
   );
 }
 
+/** Asked before readings are deleted. */
+function Replacing({
+  folder,
+  lost,
+  onClose,
+  onReplace,
+}: {
+  readonly folder: string;
+  readonly lost: string;
+  readonly onClose: () => void;
+  readonly onReplace: () => void;
+}) {
+  return (
+    <Dialog
+      title={`Replace the coupons in ${folder}?`}
+      onClose={onClose}
+      actions={
+        <>
+          <Button data-first onClick={onClose}>
+            Cancel
+          </Button>
+          <Button kind="danger" onClick={onReplace}>
+            Replace and delete
+          </Button>
+        </>
+      }
+    >
+      <p>This deletes {lost}. It cannot be undone.</p>
+    </Dialog>
+  );
+}
+
 /** What is bent to be measured: jobs, and a sheet for the readings. */
 export function Coupons() {
   const { made, madeFor, occupied, sheet, busy } = useCalibration();
@@ -83,7 +116,9 @@ export function Coupons() {
   const [angles, setAngles] = useState(madeFor?.angles_deg.join(", ") ?? "");
   const [repeats, setRepeats] = useState(madeFor?.repeats ?? 2);
   const [paper, setPaper] = useState(madeFor?.paper ?? "a4");
+  const [replacing, setReplacing] = useState(false);
   const { long } = useLengths();
+  const bends = machines?.find(({ id }) => id === machine)?.bend_deg ?? null;
   const ladder = parseAngles(angles);
   const why = busy
     ? "Wait until this is done."
@@ -103,6 +138,11 @@ export function Coupons() {
     const folder = await told(platform.pickSave("calibration", FOLDER));
     if (folder) await makeCoupons({ ...chosen, folder }, false);
   };
+  const replace = () => {
+    setReplacing(false);
+    if (occupied) void makeCoupons({ ...chosen, folder: occupied.folder }, true);
+  };
+  const lost = occupied && lostReadings(occupied.readings);
   const open = async () => {
     const picked = await told(platform.pickFile([SHEETS]));
     if (picked) await openSheet(picked, "measure");
@@ -136,14 +176,14 @@ export function Coupons() {
         </Field>
         <Field
           label="Angles"
-          hint="Degrees, each to both sides. Empty: seven from 20° to 135°."
+          hint={`Degrees, each to both sides. Empty: ${usualAngles(bends)}.`}
           error={ladder === null ? "Write angles up to 180°, such as 20, 45, 90." : null}
         >
           {(ids) => (
             <TextInput
               {...ids}
               value={angles}
-              placeholder="20, 40, 60, 80, 100, 120, 135"
+              placeholder="such as 20, 45, 90"
               onChange={(event) => setAngles(event.currentTarget.value)}
             />
           )}
@@ -179,17 +219,25 @@ export function Coupons() {
             <ul>
               <Line
                 tone="error"
-                what={`There are coupons in ${baseName(occupied)} already`}
-                sub="Choose another folder, or replace them. The readings in their sheet go with them."
+                what={`There are coupons in ${baseName(occupied.folder)} already`}
+                sub={`Choose another folder, or replace them. ${lost ? `Replacing deletes ${lost}.` : "Their sheet has no readings."}`}
                 action={
-                  <Button kind="link" why={why} onClick={() => void makeCoupons({ ...chosen, folder: occupied }, true)}>
-                    Replace
+                  <Button kind="link" why={why} onClick={() => (lost ? setReplacing(true) : replace())}>
+                    {lost ? "Replace…" : "Replace"}
                   </Button>
                 }
               />
             </ul>
           )}
         </div>
+        {replacing && occupied && lost && (
+          <Replacing
+            folder={baseName(occupied.folder)}
+            lost={lost}
+            onClose={() => setReplacing(false)}
+            onReplace={replace}
+          />
+        )}
       </div>
       <div className="stack calibrate-made" aria-live="polite">
         {made ? (

@@ -6,8 +6,9 @@ import { sentence } from "../../../shared/figures/format";
 import { Scrolls } from "../../../shared/lists/Scrolls";
 import { told } from "../../../state/asking/problems";
 import { addPinTable, enterBent, enterReading, useCalibration } from "../../../state/calibration/calibration";
+import { baseName } from "../../../state/files/files";
 import { useSheetName } from "./sheet_name";
-import { leftOut, parseReading, shownReading, WHAT, wanted } from "./words";
+import { leftOut, parseReading, shownReading, unbentPhrase, WHAT, wanted } from "./words";
 
 const TABLES = { name: "Tables", extensions: ["csv", "txt"] } as const;
 
@@ -18,7 +19,8 @@ export function Measure() {
 }
 
 function Sheet({ sheet }: { readonly sheet: CalibrationSheet }) {
-  const { report, gap, busy } = useCalibration();
+  const { report, gap, busy, unbent } = useCalibration();
+  const toBend = unbentPhrase(unbent.map(baseName));
   const of = useSheetName(sheet);
   const [more, setMore] = useState(0);
   const columns = Math.max(1, ...sheet.rows.map(({ readings }) => readings.length)) + more;
@@ -100,6 +102,7 @@ function Sheet({ sheet }: { readonly sheet: CalibrationSheet }) {
         </table>
       </Scrolls>
       <div className="calibrate-notes" aria-live="polite">
+        {toBend && <p>{toBend}</p>}
         {gap && <p className="value-refused">{gap}</p>}
         {report?.left_out.map(({ line, reading, coupon, message }) => (
           <p key={`${line} ${reading}`} className="calibrate-left">

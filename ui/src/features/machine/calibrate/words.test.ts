@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { KindReport, MachineEntry } from "../../../generated/responses";
 import { residualsOf } from "./residuals";
-import { parseAngles, parseReading, versionsOf } from "./words";
+import { parseAngles, parseReading, unbentPhrase, usualAngles, versionsOf } from "./words";
 
 describe("parseReading", () => {
   it.each([
@@ -26,6 +26,28 @@ describe("parseAngles", () => {
     ["-20", null],
   ])("reads %j", (text, expected) => {
     expect(parseAngles(text)).toEqual(expected);
+  });
+});
+
+it("says which jobs have to be bent before a simulated machine has readings of them", () => {
+  expect(unbentPhrase([])).toBeNull();
+  expect(unbentPhrase(["turns.wbjob"])).toBe(
+    "There is no new simulated run of turns.wbjob. Bend it on the simulated machine first, with Run… in Coupons.",
+  );
+  expect(unbentPhrase(["angles.wbjob", "sides.wbjob", "turns.wbjob"])).toContain(
+    "of angles.wbjob, sides.wbjob and turns.wbjob. Bend them",
+  );
+});
+
+describe("usualAngles", () => {
+  it.each([
+    [[-120, 120], "20° to at most 120°"],
+    [[-155, 155], "20° to at most 135°"],
+    // To both sides.
+    [[-90, 112.5], "20° to at most 90°"],
+    [null, "20° to what the machine can bend"],
+  ] as const)("follows a machine of %j", (bends, expected) => {
+    expect(usualAngles(bends)).toBe(expected);
   });
 });
 

@@ -74,6 +74,32 @@ export function parseAngles(text: string): readonly number[] | null {
   return angles.some((one) => one === null || one <= 0 || one > 180) ? null : (angles as number[]);
 }
 
+/** The largest angle that is bent where none is named. */
+const USUAL_MOST_DEG = 135;
+
+/** "the 35 readings in their sheet", "the readings in their sheet" where it is not known how many; null where there are none. */
+export function lostReadings(readings: number | null): string | null {
+  if (readings === 0) return null;
+  return `the ${readings === null ? "readings" : count(readings, "reading")} in their sheet`;
+}
+
+/** What there is to do about jobs of which no simulated machine has bent anything new; null where there are none. */
+export function unbentPhrase(names: readonly string[]): string | null {
+  const last = names.at(-1);
+  if (last === undefined) return null;
+  const others = names.slice(0, -1).join(", ");
+  const [which, them] = others === "" ? [last, "it"] : [`${others} and ${last}`, "them"];
+  return `There is no new simulated run of ${which}. Bend ${them} on the simulated machine first, with Run… in Coupons.`;
+}
+
+/** Which angles are bent where none is named: "20° to at most 120°". `bends`: how far the machine bends to both sides, where that is known. */
+export function usualAngles(bends: readonly [number, number] | null): string {
+  if (!bends) return "20° to what the machine can bend";
+  // A wire that springs back much can be bent less far than the machine's own limit.
+  const most = Math.min(USUAL_MOST_DEG, ...bends.map(Math.abs));
+  return `20° to at most ${short(most, 4)}°`;
+}
+
 export const wanted = (row: CalibrationRow): string =>
   row.unit === "deg" ? angle(row.wanted) : `${number(row.wanted)} mm`;
 

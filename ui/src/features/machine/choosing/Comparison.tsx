@@ -63,7 +63,7 @@ export function Comparison() {
             ))}
           </ul>
           <dl className="comparison-figures">
-            {figures(from, side, unit).map(([title, phrase]) => (
+            {figures(from, side, unit, materials ?? []).map(([title, phrase]) => (
               <div key={title}>
                 <dt>{title}</dt>
                 <dd>{phrase}</dd>

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Findings, MachineSide, OtherSide, WireDiagnostic } from "../../../generated/responses";
-import { differences, figures } from "./differences";
+import { differences, figures, type Priced } from "./differences";
 
 const side: MachineSide = {
   bends: 176,
@@ -95,20 +95,37 @@ describe("differences", () => {
 });
 
 describe("figures", () => {
+  const materials: readonly Priced[] = [
+    { id: "aluminium-6061-t6-3mm", price_per_mm: 0.002, currency: "USD" },
+    { id: "steel", price_per_mm: 0.001, currency: "EUR" },
+    { id: "copper", price_per_mm: null, currency: null },
+  ];
+
   it("shows before and after, once where they look the same, and says what is not known any more", () => {
-    const to = other({ time_s: 2285, stock_mm: 12_220.2, bends: null, cost: 20, currency: "EUR" });
-    expect(figures(side, to, "mm")).toEqual([
+    const to = other({ time_s: 2285, stock_mm: 12_220.2, bends: null, material: "steel" });
+    expect(figures(side, to, "mm", materials)).toEqual([
       ["Time", "52:10 → 38:05"],
       ["Stock", "12.22 m"],
       ["Bends", `${side.bends} → not known`],
-      ["Cost", "€20.00"],
+      ["Cost", "€12.22"],
     ]);
     expect(
-      figures({ ...side, bends: null }, other({ bends: null, cost: null, currency: null }), "mm").map(([name]) => name),
+      figures({ ...side, bends: null }, other({ bends: null, material: "copper" }), "mm", materials).map(
+        ([name]) => name,
+      ),
     ).toEqual(["Time", "Stock", "Cost"]);
-    expect(figures(side, other({ cost: null, currency: null }), "mm").at(-1)).toEqual([
+    expect(figures(side, other({ material: "copper" }), "mm", materials).at(-1)).toEqual([
       "Cost",
-      `$${side.cost?.toFixed(2)} → not known`,
+      "$24.44 → not known",
+    ]);
+  });
+
+  it("has the cost of the stock, which follows it, and not that of the wire in the part", () => {
+    const [from, to] = [{ ...side, stock_mm: 858.1, cost: 0.91 }, other({ stock_mm: 669, cost: 0.93 })];
+    expect(figures(from, to, "mm", materials).slice(1)).toEqual([
+      ["Stock", "858.1 mm → 669.0 mm"],
+      ["Bends", "176"],
+      ["Cost", "$1.72 → $1.34"],
     ]);
   });
 });

@@ -1,6 +1,6 @@
 /** What another machine changes for a design, in phrases. */
 
-import type { MachineSide, OtherSide, WireDiagnostic } from "../../../generated/responses";
+import type { MachineSide, MaterialEntry, OtherSide, WireDiagnostic } from "../../../generated/responses";
 import { count, type DisplayUnit, LIMITS_ONLY, longLength, money, time } from "../../../shared/figures/format";
 import type { Tone } from "../../../shared/lists/Mark";
 
@@ -62,18 +62,35 @@ function change(before: number | null, after: number | null, shown: (value: numb
   return `${shown(before)} → ${shown(after)}`;
 }
 
-/** Time, stock, bends and cost, before and after: each a name and a phrase. */
-export function figures(from: MachineSide, to: OtherSide, unit: DisplayUnit): readonly (readonly [string, string])[] {
+/** What is known of the price of a wire. */
+export type Priced = Pick<MaterialEntry, "id" | "price_per_mm" | "currency">;
+
+/** What the stock costs, which a person pays for; the wire in the part is less. */
+function stockCost({ stock_mm, material }: MachineSide, materials: readonly Priced[]) {
+  const wire = materials.find(({ id }) => id === material);
+  const price = wire?.price_per_mm ?? null;
+  const cost = stock_mm === null || price === null ? null : stock_mm * price;
+  return { cost, currency: wire?.currency ?? null };
+}
+
+/** Time, stock, bends and cost of the stock, before and after: each a name and a phrase. */
+export function figures(
+  from: MachineSide,
+  to: OtherSide,
+  unit: DisplayUnit,
+  materials: readonly Priced[],
+): readonly (readonly [string, string])[] {
+  const [before, after] = [stockCost(from, materials), stockCost(to, materials)];
   // There is no exchange rate between currencies.
-  const otherMoney = to.cost !== null && from.currency !== to.currency;
+  const otherMoney = after.cost !== null && before.currency !== after.currency;
   const rows: readonly (readonly [string, string | null])[] = [
     ["Time", change(from.time_s, to.time_s, time)],
     ["Stock", change(from.stock_mm, to.stock_mm, (mm) => longLength(mm, unit))],
     ["Bends", change(from.bends, to.bends, (many) => String(many))],
     [
       "Cost",
-      change(otherMoney ? null : from.cost, to.cost, (value) =>
-        money(value, to.cost === null ? from.currency : to.currency),
+      change(otherMoney ? null : before.cost, after.cost, (value) =>
+        money(value, after.cost === null ? before.currency : after.currency),
       ),
     ],
   ];

@@ -47,7 +47,7 @@ export function ThisMachine({ id }: { readonly id: string }) {
           <Line
             tone="info"
             what="The bend head of your machine was not measured"
-            sub="Its dimensions are those of the profile, and your bends can be some degrees off. Calibrate before the first wire: it takes a quarter of an hour."
+            sub="Its dimensions are those of the profile, and your bends can be some degrees off. Calibrate before the first wire: bending, cutting and reading the coupons takes about an hour."
           />
         </ul>
       )}

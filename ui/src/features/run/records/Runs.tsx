@@ -37,7 +37,7 @@ function List() {
   return (
     <ul>
       {runs.slice(0, MAX).map((run) => (
-        <Line key={run.id} {...madePhrase(run, unit, run === now ? state : null)} title={run.id} />
+        <Line key={run.id} {...madePhrase(run, unit, run === now ? state : null, runs)} title={run.id} />
       ))}
       {runs.length > MAX && <li className="muted small">and {runs.length - MAX} before them</li>}
     </ul>

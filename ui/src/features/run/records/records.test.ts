@@ -44,6 +44,17 @@ it("says what became of a wire, as far as it is known", () => {
   });
 });
 
+it("numbers the first wire, too, of a job of which another one was begun", () => {
+  const job = (hash: string | null, wire: number) => ({ ...RUN, job_hash: hash, wire });
+  const runs = [job("a", 1), job("a", 0), job("b", 0), job(null, 0)];
+  expect(runs.map((run) => madePhrase(run, "mm", null, runs).what)).toEqual([
+    "House, wire 2",
+    "House, wire 1",
+    "House",
+    "House",
+  ]);
+});
+
 it("tells the wire that the machine is bending from those that were interrupted, and with the machine's own step", () => {
   const open: RunEntry = { ...RUN, job_hash: "a", outcome: "unfinished", made: 0, worst_deviation_mm: null };
   const older: RunEntry = { ...open, id: "0" };

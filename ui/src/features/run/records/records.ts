@@ -42,14 +42,23 @@ export function bentNow(runs: readonly RunEntry[] | null, state: MachineState | 
 const underWay = ({ phase }: MachineState, { made, of, done_by }: WireState): string =>
   `${phase === "holding" ? "paused" : "being bent"}: ${made} of ${of} steps ${done_by === "machine" ? "done" : "by the clock"}`;
 
-/** One record in a line: which wire and what became of it, and when. `by`: the machine that is bending it. */
+/** Whether its job has several wires, as far as the records tell: another one of them was begun. */
+const isOneOfSeveral = ({ job_hash }: RunEntry, runs: readonly RunEntry[]): boolean =>
+  job_hash !== null && runs.some((other) => other.job_hash === job_hash && (other.wire ?? 0) > 0);
+
+/**
+ * One record in a line: which wire and what became of it, and when. `by`: the machine that is bending it; `among`: the other records, which
+ * tell whether it is the first of several wires.
+ */
 export function madePhrase(
   run: RunEntry,
   unit: DisplayUnit,
   by: MachineState | null = null,
+  among: readonly RunEntry[] = [],
 ): { readonly tone: Tone; readonly what: string; readonly sub: string } {
   const { name, wire, piece, started, machine, interruptions, pauses, worst_deviation_mm: worst, problem } = run;
-  const which = `${wire ? `, wire ${wire + 1}` : ""}${piece ? `, piece ${piece.number} of ${piece.of}` : ""}`;
+  const numbered = wire !== null && (wire > 0 || isOneOfSeveral(run, among));
+  const which = `${numbered ? `, wire ${wire + 1}` : ""}${piece ? `, piece ${piece.number} of ${piece.of}` : ""}`;
   const what = `${name ?? "Unknown design"}${which}`;
   if (problem || !run.outcome) return { tone: "error", what, sub: problem ?? "Its journal cannot be read." };
   const now = by?.wire ? underWay(by, by.wire) : null;
@@ -77,7 +86,7 @@ export function interruptedPhrase(
   const [last] = left;
   if (!last) return null;
   const one = left.length === 1;
-  const { what, sub } = madePhrase(last, unit);
+  const { what, sub } = madePhrase(last, unit, null, runs ?? []);
   return {
     what: one ? "A wire was interrupted" : `${count(left.length, "wire")} were interrupted`,
     sub: `${one ? "" : "The last: "}${what}, ${sub}. It may still be in the machine: connect that machine to resume, or to give the wire up.`,
