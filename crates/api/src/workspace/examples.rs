@@ -53,7 +53,7 @@ macro_rules! examples {
 }
 
 examples! {
-    "cube", "Cube", "cube-8-edges.obj", false, false, "Eight edges from one wire, without a finding.";
+    "cube", "Cube", "cube-8-edges.obj", false, false, "Eight edges from one wire.";
     "house", "House", "house.obj", false, false, "A flat outline: the first thing to bend.";
     "phone-stand", "Phone stand", "phone-stand.obj", false, false, "Something to use on the same day.";
     "cup-holder", "Cup holder", "cup-holder.obj", false, false, "A ring for the cup, and a hook over the edge of a board.";

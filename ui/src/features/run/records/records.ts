@@ -19,7 +19,10 @@ const when = (at: string): string =>
 function outcome({ outcome: what, made, steps }: RunEntry): string {
   if (what === "finished") return steps === null ? "finished" : `${count(steps, "step")} done`;
   if (what === "sent") return `${steps === null ? "sent" : `${count(steps, "step")} sent`}, not acknowledged`;
-  return `${what === "abandoned" ? "given up" : "interrupted"} after step ${made ?? "?"} of ${steps ?? "?"}`;
+  const ended = what === "abandoned" ? "given up" : "interrupted";
+  return made === 0
+    ? `${ended} before its first step was done`
+    : `${ended} after step ${made ?? "?"} of ${steps ?? "?"}`;
 }
 
 /**
