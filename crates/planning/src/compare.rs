@@ -59,7 +59,9 @@ pub struct MachineSide {
     pub stock_mm: Option<f64>,
     /// Price of the wire that is fed, in `currency`; null also where the price is not known.
     pub cost: Option<f64>,
-    /// Of the cost.
+    /// Price of the stock to load, in `currency`; null also where the price is not known.
+    pub stock_cost: Option<f64>,
+    /// Of the costs.
     pub currency: Option<String>,
     /// Mass of the wire that is fed, in g.
     pub mass_g: Option<f64>,
@@ -102,6 +104,8 @@ pub struct OtherSide {
     pub newly_infeasible: Findings,
     /// Errors of the first machine that this one has not.
     pub newly_feasible: Findings,
+    /// Warnings that this machine has and the first one has not.
+    pub newly_warned: Findings,
     /// Whether the wire fits the machine.
     pub fits: bool,
     /// The same with the machine's own wire, where that of the design does not fit it, and where its own is based on that of the design, as
@@ -116,17 +120,19 @@ pub struct Change {
     pub stock_mm: Option<f64>,
     /// Of the cost; null also where the currencies differ.
     pub cost: Option<f64>,
+    /// Of the cost of the stock, likewise.
+    pub stock_cost: Option<f64>,
     pub mass_g: Option<f64>,
     pub bends: Option<i64>,
 }
 
-/// Errors and where they are; ids ascend, each once.
+/// What is found and where it is; ids ascend, each once.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
 pub struct Findings {
     pub vertices: BTreeSet<u32>,
     pub edges: BTreeSet<u32>,
     pub steps: BTreeSet<WireStep>,
-    /// The errors.
+    /// What it is.
     pub diagnostics: Vec<WireDiagnostic>,
 }
 
@@ -175,11 +181,13 @@ pub fn compare(
         let other = app.plan_design(opened.copy(), choices, progress)?;
         let (side, after) = (MachineSide::new(&other), other.report());
         notes.extend(other.opened.notes.into_iter().filter(|note| !notes.contains(note)).collect::<Vec<_>>());
-        let fits = errors(&after).all(|(_, error)| error.code != Code::WireDoesNotFit);
+        let fits =
+            of_severity(&after, SeverityName::Error).all(|(_, error)| error.code != Code::WireDoesNotFit);
         let other = OtherSide {
             change: Change::between(&from, &side),
-            newly_infeasible: Findings::only_in(&after, &before),
-            newly_feasible: Findings::only_in(&before, &after),
+            newly_infeasible: Findings::only_in(&after, &before, SeverityName::Error),
+            newly_feasible: Findings::only_in(&before, &after, SeverityName::Error),
+            newly_warned: Findings::only_in(&after, &before, SeverityName::Warning),
             fits,
             own_wire: None,
             side,
@@ -223,6 +231,7 @@ impl MachineSide {
             stock_mm: sum(wires, |wire| wire.compensated.as_ref().map(|program| program.stock_mm)),
             currency: planned.setup.currency.clone(),
             cost,
+            stock_cost: sum(wires, |wire| wire.stock_cost),
             mass_g: sum(wires, |wire| wire.mass_g),
         }
     }
@@ -242,6 +251,7 @@ impl Change {
             time_s: more(from.time_s, to.time_s),
             stock_mm: more(from.stock_mm, to.stock_mm),
             cost: more(from.cost, to.cost).filter(|_| one_currency),
+            stock_cost: more(from.stock_cost, to.stock_cost).filter(|_| one_currency),
             mass_g: more(from.mass_g, to.mass_g),
             bends: count(to.bends).zip(count(from.bends)).map(|(to, from)| to - from),
         }
@@ -255,16 +265,21 @@ fn all_said(report: &PlanReport) -> impl Iterator<Item = (Option<usize>, &Diagno
     report.diagnostics().iter().map(|diagnostic| (None, diagnostic)).chain(of_wires)
 }
 
-fn errors(report: &PlanReport) -> impl Iterator<Item = (Option<usize>, &DiagnosticReport)> {
-    all_said(report).filter(|(_, diagnostic)| diagnostic.severity == SeverityName::Error)
+fn of_severity(
+    report: &PlanReport,
+    severity: SeverityName,
+) -> impl Iterator<Item = (Option<usize>, &DiagnosticReport)> {
+    all_said(report).filter(move |(_, diagnostic)| diagnostic.severity == severity)
 }
 
 impl Findings {
-    /// The errors of a plan that another plan of the design has not at the same place.
-    fn only_in(plan: &PlanReport, other: &PlanReport) -> Self {
+    /// What a plan has of a severity that another plan of the design has not at the same place.
+    fn only_in(plan: &PlanReport, other: &PlanReport, severity: SeverityName) -> Self {
         let mut only = Self::default();
-        for (wire, diagnostic) in errors(plan) {
-            if errors(other).any(|(other_wire, other)| other_wire == wire && is_same(diagnostic, other)) {
+        for (wire, diagnostic) in of_severity(plan, severity) {
+            if of_severity(other, severity)
+                .any(|(other_wire, other)| other_wire == wire && is_same(diagnostic, other))
+            {
                 continue;
             }
             only.vertices.extend(diagnostic.vertex.iter().chain(&diagnostic.vertices));

@@ -1672,7 +1672,7 @@ export type OperatorEvent =
         }
       | {
           /**
-           * Since the wire was begun or resumed, s.
+           * How long the machine was at work on the wire, in all of its parts, without pauses, s.
            */
           elapsed_s: number;
           /**
@@ -2489,7 +2489,7 @@ export interface Piece {
 export interface WireState {
   done_by: DoneBy;
   /**
-   * Since it was started or resumed, s.
+   * How long the machine was at work on it, in all of its parts, without pauses, s.
    */
   elapsed_s: number;
   /**
@@ -4119,7 +4119,7 @@ export interface MachineSide {
    */
   cost: number | null;
   /**
-   * Of the cost.
+   * Of the costs.
    */
   currency: string | null;
   /**
@@ -4144,6 +4144,10 @@ export interface MachineSide {
    */
   material: string;
   name: string;
+  /**
+   * Price of the stock to load, in `currency`; null also where the price is not known.
+   */
+  stock_cost: number | null;
   /**
    * Stock to load, in mm.
    */
@@ -4188,7 +4192,7 @@ export interface OtherSide {
    */
   cost: number | null;
   /**
-   * Of the cost.
+   * Of the costs.
    */
   currency: string | null;
   /**
@@ -4219,11 +4223,16 @@ export interface OtherSide {
   name: string;
   newly_feasible: Findings;
   newly_infeasible: Findings;
+  newly_warned: Findings;
   /**
    * The same with the machine's own wire, where that of the design does not fit it, and where its own is based on that of the design, as
    * a calibrated one is; null where the machine has no other wire, and in the comparison with its own wire.
    */
   own_wire: OtherSide | null;
+  /**
+   * Price of the stock to load, in `currency`; null also where the price is not known.
+   */
+  stock_cost: number | null;
   /**
    * Stock to load, in mm.
    */
@@ -4247,15 +4256,19 @@ export interface Change {
    */
   cost: number | null;
   mass_g: number | null;
+  /**
+   * Of the cost of the stock, likewise.
+   */
+  stock_cost: number | null;
   stock_mm: number | null;
   time_s: number | null;
 }
 /**
- * Errors and where they are; ids ascend, each once.
+ * What is found and where it is; ids ascend, each once.
  */
 export interface Findings {
   /**
-   * The errors.
+   * What it is.
    */
   diagnostics: WireDiagnostic[];
   edges: number[];
@@ -6611,7 +6624,7 @@ export interface WireRun {
   deviations_mm: number[] | null;
   done_by: DoneBy;
   /**
-   * How long it took this time, in s.
+   * How long the machine was at work on it, in all of its parts, without pauses, s.
    */
   elapsed_s: number;
   /**

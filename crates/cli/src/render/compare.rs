@@ -73,6 +73,9 @@ fn table(out: &mut impl Write, found: &CompareResponse) -> std::io::Result<()> {
             row("cost", &cost, &|other| {
                 other.change.cost.map(|cost| signed(&format!("{:.2}", cost.abs()), cost < 0.0))
             }),
+            row("stock cost", &stock_cost, &|other| {
+                other.change.stock_cost.map(|cost| signed(&format!("{:.2}", cost.abs()), cost < 0.0))
+            }),
             row("mass", &|side| side.mass_g.map_or_else(unknown, |mass| format!("{mass:.1} g")), &|other| {
                 other.change.mass_g.map(|mass| signed(&format!("{:.1} g", mass.abs()), mass < 0.0))
             }),
@@ -96,8 +99,16 @@ pub(super) fn unknown() -> String {
 }
 
 pub(super) fn cost(side: &MachineSide) -> String {
+    money(side.cost, side)
+}
+
+fn stock_cost(side: &MachineSide) -> String {
+    money(side.stock_cost, side)
+}
+
+fn money(cost: Option<f64>, side: &MachineSide) -> String {
     let currency = side.currency.as_deref().unwrap_or_default();
-    side.cost.map_or_else(unknown, |cost| format!("{cost:.2} {currency}").trim_end().to_owned())
+    cost.map_or_else(unknown, |cost| format!("{cost:.2} {currency}").trim_end().to_owned())
 }
 
 fn signed_count(from: usize, to: usize) -> String {
@@ -121,23 +132,36 @@ fn differences(
 ) -> std::io::Result<()> {
     let (worse, better) = (&other.newly_infeasible, &other.newly_feasible);
     if worse.diagnostics.is_empty() && better.diagnostics.is_empty() {
-        return writeln!(out, "{machine}: no other errors than on {}", from.machine);
+        writeln!(out, "{machine}: no other errors than on {}", from.machine)?;
     }
-    if !worse.diagnostics.is_empty() {
-        let errors = count(worse.diagnostics.len(), "error", "errors");
-        writeln!(out, "{machine}: {errors} that {} does not have", from.machine)?;
-        for found in worse.diagnostics.iter().take(TOLD) {
-            writeln!(out, "  {}: {}", place(found), found.diagnostic.message)?;
-        }
-        if let Some(more) = worse.diagnostics.len().checked_sub(TOLD).filter(|more| *more > 0) {
-            writeln!(out, "  … and {more} more")?;
-        }
-    }
+    newly(out, worse, ["error", "errors"], [machine, &from.machine])?;
+    newly(out, &other.newly_warned, ["warning", "warnings"], [machine, &from.machine])?;
     if !better.diagnostics.is_empty() {
         let errors = count(better.diagnostics.len(), "error", "errors");
         writeln!(out, "{machine}: without {errors} of {}: {}", from.machine, gone(better))?;
     }
     Ok(())
+}
+
+/// What a machine has that the first one has not; nothing of nothing.
+fn newly(
+    out: &mut impl Write,
+    found: &Findings,
+    [one, many]: [&str; 2],
+    [machine, first]: [&str; 2],
+) -> std::io::Result<()> {
+    let all = &found.diagnostics;
+    if all.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "{machine}: {} that {first} does not have", count(all.len(), one, many))?;
+    for found in all.iter().take(TOLD) {
+        writeln!(out, "  {}: {}", place(found), found.diagnostic.message)?;
+    }
+    match all.len().saturating_sub(TOLD) {
+        0 => Ok(()),
+        more => writeln!(out, "  … and {more} more"),
+    }
 }
 
 /// Where an error is, the thing that a person can point at first: of a length an edge, else a vertex.

@@ -45,7 +45,7 @@ it("says before and after of another machine, and then switches", async () => {
   const figures = beside.locator(".comparison-figures");
   await figures.getByText(`${clock(from.time_s ?? NaN)} → ${clock(other?.time_s ?? NaN)}`).waitFor();
   await figures.getByText(`${from.stock_mm?.toFixed(1)} mm → ${other?.stock_mm?.toFixed(1)} mm`).waitFor();
-  await beside.getByText("Within the limits of both; collisions not checked").waitFor();
+  await beside.getByText("Within the limits of both; collisions there not checked").waitFor();
   await editor.isClean("machine-compare");
   expect((await editor.design()).state.machine).toBe("wirebend-kit");
   await beside.getByRole("button", { name: "Switch", exact: true }).click();

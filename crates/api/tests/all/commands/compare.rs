@@ -40,6 +40,20 @@ fn near(value: Option<f64>, expected: f64) {
     assert!((value - expected).abs() < 1e-6, "{value} is not {expected}");
 }
 
+/// The same wire on both: what its stock costs there, and what is to be known of it there and was not here.
+#[test]
+fn a_warning_of_the_other_machine_is_told() {
+    let material = Some("aluminium-6061-t6-3mm".to_owned());
+    let choices = PlanChoices { material, ..doubled("wirebend-kit") };
+    let found = compare(bunny(), choices, &["pensa-diwire-pro"]).unwrap();
+    let other = &found.to[0];
+    // 1.99 USD for a metre.
+    near(other.side.stock_cost, other.side.stock_mm.unwrap() * 1.99e-3);
+    let before = found.from.stock_cost.unwrap();
+    near(other.change.stock_cost, other.side.stock_cost.unwrap() - before);
+    assert_eq!(codes(&other.newly_warned), [("bend_radius_small", 1)]);
+}
+
 /// `tests/golden/bunny/case.json` says why: two bends over 155 degrees, two edges under 25 mm. The Pensa
 /// bends to 180 degrees and feeds from 5 mm.
 #[test]

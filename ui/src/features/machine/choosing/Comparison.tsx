@@ -59,11 +59,11 @@ export function Comparison() {
           )}
           <ul>
             {differences(from, side).map((one) => (
-              <Line key={one.what} tone={one.tone} what={one.what} sub={one.sub} />
+              <Line key={`${one.what} ${one.sub}`} tone={one.tone} what={one.what} sub={one.sub} />
             ))}
           </ul>
           <dl className="comparison-figures">
-            {figures(from, side, unit, materials ?? []).map(([title, phrase]) => (
+            {figures(from, side, unit).map(([title, phrase]) => (
               <div key={title}>
                 <dt>{title}</dt>
                 <dd>{phrase}</dd>

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Findings, MachineSide, OtherSide, WireDiagnostic } from "../../../generated/responses";
-import { differences, figures, type Priced } from "./differences";
+import { differences, figures } from "./differences";
 
 const side: MachineSide = {
   bends: 176,
@@ -14,6 +14,7 @@ const side: MachineSide = {
   material: "aluminium-6061-t6-3mm",
   name: "WireBend-kit",
   stock_mm: 12_220,
+  stock_cost: 24.44,
   time_s: 3130,
   warnings: 0,
   collisions: null,
@@ -38,7 +39,8 @@ const other = (given: Partial<OtherSide>): OtherSide => ({
   machine: "pensa",
   fits: true,
   own_wire: null,
-  change: { bends: 0, cost: 0, mass_g: 0, stock_mm: 0, time_s: 0 },
+  change: { bends: 0, cost: 0, mass_g: 0, stock_cost: 0, stock_mm: 0, time_s: 0 },
+  newly_warned: findings(),
   newly_feasible: findings(),
   newly_infeasible: findings(),
   ...given,
@@ -83,7 +85,15 @@ describe("differences", () => {
   it("says that nothing changes", () => {
     expect(differences(side, other({}))).toEqual([{ tone: "warning", what: "The same 4 errors on both", sub: null }]);
     expect(differences({ ...side, feasible: true }, other({ feasible: true }))).toEqual([
-      { tone: "fine", what: "Within the limits of both; collisions not checked", sub: null },
+      { tone: "fine", what: "Within the limits of both; collisions there not checked", sub: null },
+    ]);
+  });
+
+  it("names a warning that is new on the other machine", () => {
+    const to = other({ feasible: true, newly_warned: findings("bend_radius_small") });
+    expect(differences({ ...side, feasible: true }, to)).toEqual([
+      { tone: "fine", what: "Within the limits of both; collisions there not checked", sub: null },
+      { tone: "warning", what: "A new warning", sub: "bend_radius_small here" },
     ]);
   });
 
@@ -95,37 +105,26 @@ describe("differences", () => {
 });
 
 describe("figures", () => {
-  const materials: readonly Priced[] = [
-    { id: "aluminium-6061-t6-3mm", price_per_mm: 0.002, currency: "USD" },
-    { id: "steel", price_per_mm: 0.001, currency: "EUR" },
-    { id: "copper", price_per_mm: null, currency: null },
-  ];
-
   it("shows before and after, once where they look the same, and says what is not known any more", () => {
-    const to = other({ time_s: 2285, stock_mm: 12_220.2, bends: null, material: "steel" });
-    expect(figures(side, to, "mm", materials)).toEqual([
+    const to = other({ time_s: 2285, stock_mm: 12_220.2, bends: null, stock_cost: 12.22, currency: "EUR" });
+    expect(figures(side, to, "mm")).toEqual([
       ["Time", "52:10 → 38:05"],
       ["Stock", "12.22 m"],
       ["Bends", `${side.bends} → not known`],
       ["Cost", "€12.22"],
     ]);
-    expect(
-      figures({ ...side, bends: null }, other({ bends: null, material: "copper" }), "mm", materials).map(
-        ([name]) => name,
-      ),
-    ).toEqual(["Time", "Stock", "Cost"]);
-    expect(figures(side, other({ material: "copper" }), "mm", materials).at(-1)).toEqual([
-      "Cost",
-      "$24.44 → not known",
-    ]);
+    const unknown = other({ bends: null, stock_cost: null, currency: null });
+    expect(figures({ ...side, bends: null }, unknown, "mm").map(([name]) => name)).toEqual(["Time", "Stock", "Cost"]);
+    expect(figures(side, unknown, "mm").at(-1)).toEqual(["Cost", "$24.44 → not known"]);
   });
 
-  it("has the cost of the stock, which follows it, and not that of the wire in the part", () => {
-    const [from, to] = [{ ...side, stock_mm: 858.1, cost: 0.91 }, other({ stock_mm: 669, cost: 0.93 })];
-    expect(figures(from, to, "mm", materials).slice(1)).toEqual([
+  it("has the cost of the stock, and not that of the wire in the part", () => {
+    const from = { ...side, stock_mm: 858.1, cost: 0.91, stock_cost: 1.708 };
+    const to = other({ stock_mm: 669, cost: 0.93, stock_cost: 1.331 });
+    expect(figures(from, to, "mm").slice(1)).toEqual([
       ["Stock", "858.1 mm → 669.0 mm"],
       ["Bends", "176"],
-      ["Cost", "$1.72 → $1.34"],
+      ["Cost", "$1.71 → $1.33"],
     ]);
   });
 });

@@ -1,6 +1,6 @@
 /** What another machine changes for a design, in phrases. */
 
-import type { MachineSide, MaterialEntry, OtherSide, WireDiagnostic } from "../../../generated/responses";
+import type { MachineSide, OtherSide, WireDiagnostic } from "../../../generated/responses";
 import { count, type DisplayUnit, LIMITS_ONLY, longLength, money, time } from "../../../shared/figures/format";
 import type { Tone } from "../../../shared/lists/Mark";
 
@@ -62,35 +62,18 @@ function change(before: number | null, after: number | null, shown: (value: numb
   return `${shown(before)} → ${shown(after)}`;
 }
 
-/** What is known of the price of a wire. */
-export type Priced = Pick<MaterialEntry, "id" | "price_per_mm" | "currency">;
-
-/** What the stock costs, which a person pays for; the wire in the part is less. */
-function stockCost({ stock_mm, material }: MachineSide, materials: readonly Priced[]) {
-  const wire = materials.find(({ id }) => id === material);
-  const price = wire?.price_per_mm ?? null;
-  const cost = stock_mm === null || price === null ? null : stock_mm * price;
-  return { cost, currency: wire?.currency ?? null };
-}
-
 /** Time, stock, bends and cost of the stock, before and after: each a name and a phrase. */
-export function figures(
-  from: MachineSide,
-  to: OtherSide,
-  unit: DisplayUnit,
-  materials: readonly Priced[],
-): readonly (readonly [string, string])[] {
-  const [before, after] = [stockCost(from, materials), stockCost(to, materials)];
+export function figures(from: MachineSide, to: OtherSide, unit: DisplayUnit): readonly (readonly [string, string])[] {
   // There is no exchange rate between currencies.
-  const otherMoney = after.cost !== null && before.currency !== after.currency;
+  const otherMoney = to.stock_cost !== null && from.currency !== to.currency;
   const rows: readonly (readonly [string, string | null])[] = [
     ["Time", change(from.time_s, to.time_s, time)],
     ["Stock", change(from.stock_mm, to.stock_mm, (mm) => longLength(mm, unit))],
     ["Bends", change(from.bends, to.bends, (many) => String(many))],
     [
       "Cost",
-      change(otherMoney ? null : before.cost, after.cost, (value) =>
-        money(value, after.cost === null ? before.currency : after.currency),
+      change(otherMoney ? null : from.stock_cost, to.stock_cost, (value) =>
+        money(value, to.stock_cost === null ? from.currency : to.currency),
       ),
     ],
   ];
@@ -105,11 +88,21 @@ export function differences(from: MachineSide, to: OtherSide): readonly Differen
   ];
   if (to.feasible && !from.feasible) found.unshift({ tone: "fine", what: `It is ${LIMITS_ONLY}`, sub: null });
   if (!to.feasible && from.feasible) found.unshift({ tone: "error", what: "It cannot be bent as it is", sub: null });
-  if (found.length > 0) return found;
-  const what = to.feasible
-    ? "Within the limits of both; collisions not checked"
-    : to.errors === 1
-      ? "The same error on both"
-      : `The same ${to.errors} errors on both`;
-  return [{ tone: to.feasible ? "fine" : "warning", what, sub: null }];
+  if (found.length === 0) {
+    const what = to.feasible
+      ? "Within the limits of both; collisions there not checked"
+      : to.errors === 1
+        ? "The same error on both"
+        : `The same ${to.errors} errors on both`;
+    found.push({ tone: to.feasible ? "fine" : "warning", what, sub: null });
+  }
+  return [...found, ...warnings(to.newly_warned.diagnostics)];
 }
+
+/** What there is to look at on the other machine, and was not on the first. */
+const warnings = (diagnostics: readonly WireDiagnostic[]): Difference[] =>
+  kinds(diagnostics).map(([, all]) => ({
+    tone: "warning",
+    what: all.length === 1 ? "A new warning" : `${all.length} new warnings`,
+    sub: all[0]?.message ?? null,
+  }));
