@@ -2,8 +2,11 @@
 import { act } from "react";
 import { beforeEach, expect, it, vi } from "vitest";
 
-const ask = vi.hoisted(() => vi.fn());
-vi.mock("../../platform", () => ({ platform: { ask }, Refused: class Refused extends Error {} }));
+const [ask, pickFile, pickSave] = vi.hoisted(() => [vi.fn(), vi.fn(), vi.fn()]);
+vi.mock("../../platform", () => ({
+  platform: { ask, pickFile, pickSave },
+  Refused: class Refused extends Error {},
+}));
 
 import { place } from "../../shared/testing";
 import { useDesign } from "../../state/design/design";
@@ -19,7 +22,7 @@ import { SequenceSection } from "./SequenceSection";
 const at = place();
 
 beforeEach(() => {
-  ask.mockReset();
+  for (const mock of [ask, pickFile, pickSave]) mock.mockReset();
   ask.mockResolvedValue(sequenceDrawn());
   forgetSequence();
   useSequence.setState({ machine: null, layers: false });
@@ -147,4 +150,32 @@ it("names of a wire how many edges more it has, of a rod its edge alone", async 
   await press("Find");
   const named = [...at.host.querySelectorAll("[role=option]")].map((row) => row.children[1]?.textContent);
   expect(named).toEqual(["0", "1 +2"]);
+});
+
+it("keeps the order that is shown in a file, and checks one from a file", async () => {
+  at.show(<SequenceSection />);
+  await press("Find");
+  pickSave.mockResolvedValue("/there/order.json");
+  await press("Save order…");
+  const steps = sequenceDrawn().sequence.steps;
+  expect(ask).toHaveBeenLastCalledWith(
+    "sequence",
+    expect.objectContaining({
+      order: steps.map(({ edge, from_vertex, direction }) => ({ edge, edges: [], from_vertex, direction })),
+      output: { path: "/there/order.json", force: true },
+      format: "wirebend",
+    }),
+  );
+  pickFile.mockResolvedValue("/there/order.json");
+  await press("Open…");
+  expect(ask).toHaveBeenLastCalledWith("sequence", expect.objectContaining({ file: "/there/order.json" }));
+});
+
+it("does not save an order that cannot be built", async () => {
+  const drawn = sequenceDrawn();
+  ask.mockResolvedValue({ ...drawn, sequence: { ...drawn.sequence, feasible: false } });
+  at.show(<SequenceSection />);
+  await press("Find");
+  await press("Save order…");
+  expect(pickSave).not.toHaveBeenCalled();
 });

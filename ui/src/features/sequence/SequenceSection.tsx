@@ -11,6 +11,7 @@ import { Line } from "../../shared/lists/Line";
 import { useWork } from "../../state/asking/work";
 import { useDesign } from "../../state/design/design";
 import { needFrameChoices, useFrame } from "../../state/frame/frame";
+import { openOrder, saveOrder } from "../../state/sequence/files";
 import {
   cancelSequence,
   chooseBuilder,
@@ -209,9 +210,22 @@ function Setup() {
             Cancel
           </Button>
         ) : (
-          <Button kind="primary" className="frame-go" why={why} onClick={() => (changed ? setReplacing(true) : find())}>
-            Find
-          </Button>
+          <>
+            <Button
+              why={changed ? "Your order would be replaced: save it, then take it back." : why}
+              onClick={() => void openOrder(builder?.default_material ?? null)}
+            >
+              Open…
+            </Button>
+            <Button
+              kind="primary"
+              className="frame-go"
+              why={why}
+              onClick={() => (changed ? setReplacing(true) : find())}
+            >
+              Find
+            </Button>
+          </>
         )}
       </div>
       {replacing && <FindingAgain onClose={() => setReplacing(false)} onFind={find} />}
@@ -225,12 +239,21 @@ function Setup() {
 }
 
 function Found({ drawn }: { readonly drawn: DrawnSequence }) {
-  const { at, changed, layers } = useSequence();
+  const { at, changed, layers, checking, asking } = useSequence();
   const { length, unit } = useLengths();
+  const stale = useSequenceStale();
   const { sequence } = drawn;
   const steps = sequence.steps.length;
   const found = useSequence((store) => store.found);
   const all = found?.sequence.layers ?? [];
+  const notSaved =
+    checking || asking
+      ? "An order is being looked for or checked."
+      : stale
+        ? "Something was changed since."
+        : sequence.feasible
+          ? null
+          : "This order cannot be built.";
   return (
     <>
       {sequence.diagnostics.length > 0 && (
@@ -323,6 +346,11 @@ function Found({ drawn }: { readonly drawn: DrawnSequence }) {
           <Part title="Steps">
             <Steps drawn={drawn} />
           </Part>
+          <div className="row end">
+            <Button why={notSaved} onClick={() => void saveOrder()}>
+              Save order…
+            </Button>
+          </div>
         </>
       )}
     </>

@@ -107,8 +107,8 @@ const wordsOf = (error: unknown): string => (error instanceof Error ? error.mess
 /** Of several questions only the last one's answer counts. */
 let asked = 0;
 
-/** Looks for a sequence, and shows it. `material`: what the machine builds with. */
-export async function findSequence(material: string | null): Promise<void> {
+/** Looks for a sequence, or checks that of a file, and shows it. `material`: what the machine builds with. */
+export async function findSequence(material: string | null, file: string | null = null): Promise<void> {
   const { machine, epsilon, groupBy, asking: under } = useSequence.getState();
   if (machine === null || under) return;
   const basis = basisOf({ machine, epsilon, groupBy });
@@ -117,7 +117,8 @@ export async function findSequence(material: string | null): Promise<void> {
   useSequence.setState({ asking: true, cancelled: false });
   let answer: Pick<SequenceStore, "found" | "problem">;
   try {
-    const found = await asking("sequence", { machine, material, epsilon_mm: epsilon, group_by: groupBy });
+    const from = file === null ? {} : { file };
+    const found = await asking("sequence", { machine, material, epsilon_mm: epsilon, group_by: groupBy, ...from });
     answer = { found, problem: null };
   } catch (error) {
     answer = { found: null, problem: wordsOf(error) };
@@ -182,6 +183,16 @@ export function togglePlaySequence(): void {
   useSequence.setState({ playing: useSequence.getState().shown });
 }
 
+/** Steps as an order that can be checked. */
+export const orderOf = (steps: DrawnSequence["sequence"]["steps"]): OrderedStep[] =>
+  steps.map((step) => ({
+    edge: step.edge,
+    // A wire is fastened anew wherever it meets what stands.
+    edges: step.edges ?? [],
+    from_vertex: step.from_vertex ?? null,
+    direction: step.direction ?? null,
+  }));
+
 /** Moves a step to another place, both from 0, and checks at once whether it can be built so. */
 export async function moveStep(from: number, to: number): Promise<void> {
   const { machine, epsilon, groupBy, found, checking } = useSequence.getState();
@@ -190,15 +201,9 @@ export async function moveStep(from: number, to: number): Promise<void> {
   const moved = steps[from];
   if (machine === null || !found || !sequence || !moved || checking || from === to || !steps[to]) return;
   const others = steps.filter((_, index) => index !== from);
-  const order = [...others.slice(0, to), moved, ...others.slice(to)].map(
-    (step): OrderedStep => ({
-      edge: step.edge,
-      // A wire is fastened anew wherever it meets what stands.
-      edges: step.edges ?? [],
-      from_vertex: step.from_vertex ?? null,
-      // The head of the moved step stands as it can; that of the others as it does, where it still can.
-      direction: step.edge === moved.edge ? null : (step.direction ?? null),
-    }),
+  const order = orderOf([...others.slice(0, to), moved, ...others.slice(to)]).map(
+    // The head of the moved step stands as it can; that of the others as it does, where it still can.
+    (step): OrderedStep => (step.edge === moved.edge ? { ...step, direction: null } : step),
   );
   asked += 1;
   const question = asked;
