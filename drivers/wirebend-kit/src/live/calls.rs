@@ -59,33 +59,47 @@ impl Machine {
         self.require_homed()?;
         let token = Token { session: session_id(self.link.session()), boots: self.boots, after: run.after };
         let rotate_at = steps(run.rotate_at_deg * self.rotate_steps_per_deg());
-        let turn = self.turn_to(rotate_at);
         self.wire = Some(WireProgress::new(run, rotate_at));
-        if turn == 0 {
+        if rotate_at == 0 || self.head == HeadReference::Lost {
             self.open_for_wire(token.session, now);
         } else {
-            let line = self.link.line(b'M', &[0, turn, 0]);
-            self.activity = Activity::Turning { line, session: token.session };
+            self.activity = Activity::ToTurn { session: token.session, at: None };
+            self.link.query();
         }
         self.token = Some(token);
         Ok(ArmedReply { token: Some(token.to_string()) })
     }
 
-    /// How far the head has to be turned before a wire, steps. The play of a head is taken up by a turn of its own alone.
-    fn turn_to(&self, rotate_at: i32) -> i32 {
-        let known = self.status.filter(|_| rotate_at != 0 && self.head != HeadReference::Lost);
-        known.map_or(0, |status| rotate_at - status.position[1])
+    /// The head goes to where the rest of a wire goes on by a move of its own: its play is taken up by a turn there and back alone. The
+    /// lines of the wire count in a session that is opened after it.
+    fn turn_first(&mut self, now: Duration) {
+        let (Activity::ToTurn { session, at: Some(at) }, Some(wire)) = (self.activity, &self.wire) else {
+            return;
+        };
+        match wire.rotate_at - at {
+            0 => self.open_for_wire(session, now),
+            turn => {
+                let line = self.link.line(b'M', &[0, turn, 0]);
+                self.activity = Activity::Turning { line, session };
+            }
+        }
     }
 
     /// Opens the session of a wire.
     pub(super) fn open_for_wire(&mut self, session: u16, now: Duration) {
+        let token = self.token;
         self.renew(session, now);
-        self.activity = Activity::Arming;
+        (self.token, self.activity) = (token, Activity::Arming);
     }
 
-    pub fn send(&mut self, batch: &Batch) -> Result<Sent, DriverError> {
-        let (Some(wire), Activity::Turning { .. } | Activity::Arming | Activity::Running) =
-            (&self.wire, self.activity)
+    pub fn send(&mut self, batch: &Batch, now: Duration) -> Result<Sent, DriverError> {
+        if !batch.steps.is_empty() {
+            self.turn_first(now);
+        }
+        let (
+            Some(wire),
+            Activity::ToTurn { .. } | Activity::Turning { .. } | Activity::Arming | Activity::Running,
+        ) = (&self.wire, self.activity)
         else {
             return Err(DriverError::new("not-armed", "the machine is not armed for a wire", "arm it"));
         };
@@ -253,7 +267,7 @@ impl Machine {
             Activity::Connecting => Err(fault::busy(what, "it is connecting")),
             Activity::Closed => Err(fault::busy(what, "the connection is lost")),
             Activity::Homing(_) => Err(fault::busy(what, "it is homing")),
-            Activity::Turning { .. } | Activity::Arming | Activity::Running => {
+            Activity::ToTurn { .. } | Activity::Turning { .. } | Activity::Arming | Activity::Running => {
                 Err(fault::busy(what, "it is running a job"))
             }
             Activity::Jogging(_) => Err(fault::busy(what, "it is jogging")),

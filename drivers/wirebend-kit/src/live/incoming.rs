@@ -130,9 +130,13 @@ impl Machine {
             }
             Activity::Homing(Homing::Returning { line }) if n >= line => self.homed(),
             Activity::Turning { line, session } if n >= line => {
-                let token = self.token;
+                let wanted = self.wanted_speed;
                 self.open_for_wire(session, now);
-                self.token = token;
+                if wanted != FASTEST {
+                    // It was set while the head turned.
+                    self.wanted_speed = wanted;
+                    self.link.request(Request::Speed(wanted));
+                }
             }
             Activity::Jogging(line) if n >= line => {
                 self.activity = Activity::Idle;
@@ -167,6 +171,9 @@ impl Machine {
             }
             let line = self.link.line(b'M', &[0, back, 0]);
             self.activity = Activity::Homing(Homing::Returning { line });
+        }
+        if let Activity::ToTurn { at, .. } = &mut self.activity {
+            at.get_or_insert(status.position[1]);
         }
         // One of before may report a head that was on its way.
         if self.activity == Activity::Arming && self.link.session().is_some() {

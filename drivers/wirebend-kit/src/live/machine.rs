@@ -26,7 +26,13 @@ pub(super) enum Activity {
     Connecting,
     Idle,
     Homing(Homing),
-    /// Until this line has turned the head to where the rest of a wire goes on; then the session of the wire is opened.
+    /// Armed for the rest of a wire, to whose place the head is turned once a step is sent; `at`: where it stands, steps, as the next status
+    /// reports it.
+    ToTurn {
+        session: u16,
+        at: Option<i32>,
+    },
+    /// Until this line has turned it; then the session of the wire is opened.
     Turning {
         line: u32,
         session: u16,

@@ -142,7 +142,7 @@ impl MachineSession for Session {
     }
 
     fn send(&mut self, batch: &Batch) -> Result<Sent, DriverError> {
-        self.call(|machine, _| machine.send(batch))
+        self.call(|machine, now| machine.send(batch, now))
     }
 
     fn jog(&mut self, motion: Motion) -> Result<(), DriverError> {

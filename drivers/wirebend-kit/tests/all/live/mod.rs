@@ -189,6 +189,46 @@ fn after_a_stop_the_head_is_turned_again_as_far_as_it_was() {
     assert!((stands + 90.0).abs() < 0.03, "{stands}");
 }
 
+/// The wire of before the stop and the rest of it lie in one plane where they should, although the head has play: it was last turned against
+/// the way on which it comes from zero. Turned with the step alone, as before, the rest lies aside by the play.
+#[test]
+fn a_head_with_play_is_turned_to_its_place_by_a_move_of_its_own() {
+    let steps = [(0.0, 60.0), (-90.0, 60.0), (30.0, 60.0), (0.0, 60.0), (0.0, 0.0)]
+        .map(|(rotate_deg, bend_deg)| Step { feed_mm: 40.0, rotate_deg, bend_deg, approach_deg: None });
+    let begun = || {
+        let mut table = Table::new(json!({}));
+        table.backlash_deg = 1.5;
+        table.connected();
+        table.home();
+        table
+    };
+    let whole = begun().make(&steps);
+    let resumed = |rotate_at_deg: f64, more: f64| {
+        let mut table = begun();
+        table.arm(0, 5, 0.0);
+        table.send_part(&steps[..3], false);
+        table.until(|event| matches!(event, Event::Done { n: 3 }));
+        table.session.stop().unwrap();
+        table.stopped = true;
+        table.until(|event| matches!(event, Event::Stopped { .. }));
+        table.home();
+        table.arm(3, 5, rotate_at_deg);
+        let mut rest = steps;
+        rest[3].rotate_deg = more;
+        table.send(&rest);
+        let made = table.until(|event| matches!(event, Event::Made { .. }));
+        let Event::Made { corners_mm, .. } = made else { unreachable!() };
+        let off = corners_mm
+            .iter()
+            .zip(&whole)
+            .map(|(made, whole)| (0..3).map(|axis| (made[axis] - whole[axis]).powi(2)).sum::<f64>().sqrt());
+        off.fold(0.0, f64::max)
+    };
+    let (there_and_back, straight) = (resumed(-62.5, 2.5), resumed(-60.0, 0.0));
+    assert!(there_and_back < 0.1, "{there_and_back} mm");
+    assert!(straight > 0.5, "{straight} mm");
+}
+
 #[test]
 fn a_stop_ends_everything_until_the_machine_is_homed() {
     let mut table = Table::new(json!({}));

@@ -19,6 +19,8 @@ pub struct Table {
     pub stopped: bool,
     /// Between two looks at it.
     pub rarely: Duration,
+    /// Of its head, degrees.
+    pub backlash_deg: f64,
 }
 
 impl Table {
@@ -29,7 +31,7 @@ impl Table {
     pub fn at(port: &str, settings: Value) -> Self {
         let driver = WirebendKit::open(serde_json::from_value(settings).unwrap()).unwrap();
         let session = driver.connect(port, None).unwrap();
-        Self { session, seen: Vec::new(), stopped: false, rarely: Duration::ZERO }
+        Self { session, seen: Vec::new(), stopped: false, rarely: Duration::ZERO, backlash_deg: 0.0 }
     }
 
     /// The next event of this kind.
@@ -70,7 +72,7 @@ impl Table {
                 axis_limit_deg: 155.0,
                 feed_scale: 1.0,
                 rotate_offset_deg: 0.0,
-                rotate_backlash_deg: 0.0,
+                rotate_backlash_deg: self.backlash_deg,
             },
             wire: BenchWire {
                 diameter_mm: 3.0,
@@ -87,11 +89,16 @@ impl Table {
 
     /// All steps of a wire, as they are taken.
     pub fn send(&mut self, steps: &[Step]) {
+        self.send_part(steps, true);
+    }
+
+    /// The first steps of a wire; `last`: there are no others.
+    pub fn send_part(&mut self, steps: &[Step], last: bool) {
         let numbered: Vec<NumberedStep> =
             (1..).zip(steps).map(|(n, &step)| NumberedStep { n, step }).collect();
         let mut taken = 0;
         for _ in 0..LOOKS {
-            let batch = Batch { steps: numbered[taken as usize..].to_vec(), last: true };
+            let batch = Batch { steps: numbered[taken as usize..].to_vec(), last };
             taken = self.session.send(&batch).unwrap().accepted;
             if taken as usize == steps.len() {
                 return;
