@@ -9,8 +9,9 @@ use super::entry::{Entry, EntryKind};
 pub(super) struct WorkTime {
     before: Duration,
     since: Option<Duration>,
-    /// The last step that was sent, or was about to be.
+    /// The last step that was sent, or was about to be, and the last that is done.
     sent: u32,
+    done: u32,
 }
 
 impl WorkTime {
@@ -40,9 +41,16 @@ impl WorkTime {
                 self.works(now);
             }
             EntryKind::NotTaken { after } => self.sent = *after,
-            EntryKind::Resumed | EntryKind::Armed { resumed: true, .. } => self.works(now),
-            // Nothing is left in hand: it waits for a person, at a pause point or at the end.
-            EntryKind::Done { n } if *n >= self.sent => self.rests(now),
+            // With nothing in hand it waits for a person, at a pause point or at the end.
+            EntryKind::Resumed | EntryKind::Armed { resumed: true, .. } if self.sent > self.done => {
+                self.works(now);
+            }
+            EntryKind::Done { n } => {
+                self.done = *n;
+                if self.done >= self.sent {
+                    self.rests(now);
+                }
+            }
             EntryKind::Paused
             | EntryKind::Stopped { .. }
             | EntryKind::Fault { .. }
@@ -110,6 +118,12 @@ mod tests {
         assert_eq!(time.until(s(1001)), s(27), "it has nothing to do yet");
         time.take(&sent(2, 2), s(1001));
         time.take(&EntryKind::Done { n: 2 }, s(1005));
+        for waits in
+            [EntryKind::Armed { token: None, after: 2, resumed: true }, EntryKind::Paused, EntryKind::Resumed]
+        {
+            time.take(&waits, s(1100));
+        }
+        assert_eq!(time.until(s(1600)), s(31), "it waits at the pause point");
         time.take(&EntryKind::PauseConfirmed { after: 2, note: String::new() }, s(1605));
         time.take(&sent(3, 3), s(1605));
         assert_eq!(time.until(s(1607)), s(33));
