@@ -86,6 +86,8 @@ fn coupons_that_the_simulated_machine_has_bent_make_profiles_that_are_used() {
     assert!(said.contains("left as it was") && said.contains("centreline radius of a bend"), "{said}");
     let explained = run(&["profile", "explain", "my-kit", "--json"]).ended(0).json();
     let values = explained["values"].as_array().unwrap();
+    let name = values.iter().find(|value| value["key"] == "name").unwrap();
+    assert_eq!(name["value"], "WireBend-kit, calibrated 2026-11-25");
     let pin = values.iter().find(|value| value["key"] == "bend.pin_radius_mm").unwrap();
     assert_eq!(pin["value"], 1.5, "{pin}");
     let checked =
@@ -99,6 +101,25 @@ fn coupons_that_the_simulated_machine_has_bent_make_profiles_that_are_used() {
     assert_fits("calibrate-compare", &compared);
     let misfits = compared["misfits"][0]["misfits"].as_array().unwrap();
     assert!(misfits[1]["mean_abs"].as_f64() < misfits[0]["mean_abs"].as_f64(), "{misfits:?}");
+}
+
+/// What is typed stands for the row; the machine that a sheet is of has bent the wire of the sheet, whatever wire it names.
+#[test]
+fn a_sheet_is_of_its_wire_and_its_rows_are_typed_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    let of = ["calibrate", "new", "--machine", "wirebend-kit", "--material", "aluminium-3-175mm"];
+    run(&[&of[..], &["--angles", "30,60", "-o", "calibration"]].concat()).ended(0);
+    let enter = |typed: &str| {
+        let found = run(&["calibrate", "enter", "calibration/sheet.csv", typed, "--json"]).ended(0).json();
+        ["entered", "replaced", "readings"].map(|key| found[key].as_u64().unwrap())
+    };
+    assert_eq!(enter("angle-60:1=60,61"), [2, 0, 2]);
+    assert_eq!(enter("angle-60:1=60,60.5"), [2, 1, 2]);
+    assert_eq!(enter("angle-60:1=-,-,60"), [1, 2, 1]);
+    let both = ["calibrate", "compare", "wirebend-kit", "wirebend-kit", "--sheet", "calibration/sheet.csv"];
+    let compared = run(&[&both[..], &["--json"]].concat()).ended(0).json();
+    assert_eq!(compared["materials"], json!(["aluminium-3-175mm", "aluminium-3-175mm"]));
 }
 
 /// A feed that gives a fiftieth more than it is told, and a head with a backlash of two degrees: found, and made up for.
