@@ -68,8 +68,6 @@ pub struct WiresRow {
     pub doubled_mm: f64,
     /// The designed length of all wires, in mm.
     pub length_mm: f64,
-    /// Price of the stock, in the currency of the cost; null where the price is not known.
-    pub stock_cost: Option<f64>,
     /// What came of the search for wires that hit nothing, of all parts together; absent where nobody searched.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub search: Option<SearchReport>,
@@ -148,14 +146,12 @@ impl WiresRow {
         let routes = planned.wires.iter().flat_map(|wire| &wire.route);
         let travelled: Vec<_> = routes.flat_map(|route| &route.traversals).map(|t| t.edge).collect();
         let length: Length = travelled.iter().map(|&edge| wireframe.edge_length(edge)).sum();
-        let stock_costs = planned.wires.iter().map(|wire| planned.setup.model.wire.cost(wire.stock?));
         let design: Length = wireframe.edges().map(|(edge, _)| wireframe.edge_length(edge)).sum();
         Self {
             wires: planned.wires.len(),
             doubled_edges: travelled.len().saturating_sub(wireframe.edge_count()),
             doubled_mm: (length.mm() - design.mm()).max(0.0),
             length_mm: length.mm(),
-            stock_cost: stock_costs.sum(),
             search: planned.searched(),
             side: MachineSide::new(planned),
         }

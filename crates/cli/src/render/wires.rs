@@ -65,7 +65,7 @@ fn left_out(LeftOutWires { from, to, why }: &LeftOutWires) -> String {
 fn cells(row: &WiresRow) -> [String; 9] {
     let side = &row.side;
     let length = |length| format!("{} mm", mm(length));
-    let stock_cost = row.stock_cost.zip(side.currency.as_deref());
+    let stock_cost = side.stock_cost.zip(side.currency.as_deref());
     let stock_cost = stock_cost.map(|(cost, currency)| format!(" (stock {cost:.2} {currency})"));
     [
         row.wires.to_string(),
