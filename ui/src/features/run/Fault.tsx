@@ -28,7 +28,8 @@ export function Fault({ state }: { readonly state: MachineState }) {
       <ul>
         {problems.map(({ message }, index) => (
           <Line
-            key={message}
+            // biome-ignore lint/suspicious/noArrayIndexKey: the first cause, and what came of it
+            key={index}
             tone="error"
             what={state.phase === "failed" && index === 0 ? "The machine failed" : "That did not work"}
             sub={<span className="lines">{errorText({ message, remedies: remedies[index]?.others ?? [] })}</span>}

@@ -18,7 +18,8 @@ export function Session({ state }: { readonly state: MachineState }) {
   const designed = useRunMachine();
   const file = useRunFile((run) => run.file);
   const machines = useMachines((store) => store.machines);
-  const all = buttons(state, useProspect());
+  const cause = useRun((run) => run.cause);
+  const all = buttons(state, useProspect(), cause);
   const bending = useRun(isBending);
   const name = (id: string | null) => machines?.find((machine) => machine.id === id)?.name ?? id ?? "none";
   const simulated = simulatedPhrase(state.simulated_as, name);
@@ -44,7 +45,7 @@ export function Session({ state }: { readonly state: MachineState }) {
             what={`${file ? file.name : "The design"} is for ${name(designed)}`}
             sub={
               bending
-                ? `${name(state.machine)} is connected and has a wire in it. Finish the wire or stop it first, then disconnect to connect the other one.`
+                ? `${name(state.machine)} is connected and at work. Finish the wire or stop it first, then disconnect to connect the other one.`
                 : `${name(state.machine)} is connected. Disconnect it to connect the other one.`
             }
           />

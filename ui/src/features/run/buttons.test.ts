@@ -87,6 +87,10 @@ describe("buttons", () => {
     expect(buttons(failed("alarm"), READY).home).toBeNull();
     // What went wrong then is no reason once it is connected again.
     expect(buttons({ ...failed("unplugged"), phase: "connected" }, READY).home).toBeNull();
+    // What was refused since takes its place in the state, and not for the button.
+    const refused = failed("driver-refused");
+    expect(buttons(refused, READY).home).toBeNull();
+    expect(buttons(refused, READY, failed("unplugged").problem).home).not.toBeNull();
   });
 
   it("arms nothing that cannot be made", () => {

@@ -83,13 +83,13 @@ const LOST: ReadonlySet<string> = new Set([
   "unplugged",
 ]);
 
-const isLost = ({ phase, problem }: MachineState): boolean =>
-  phase === "failed" && problem !== null && LOST.has(problem.code);
+const isLost = ({ phase, problem }: MachineState, cause: MachineState["problem"]): boolean =>
+  phase === "failed" && [problem, cause].some((one) => one != null && LOST.has(one.code));
 
-function whyNot(state: MachineState | null, order: OrderName): Why {
+function whyNot(state: MachineState | null, order: OrderName, cause: MachineState["problem"]): Why {
   if (!state) return BECAUSE["not-connected"];
   // It would be asked of a driver that is gone, and what that says would take the place of what went wrong.
-  if (order === "home" && isLost(state)) return BECAUSE.failed;
+  if (order === "home" && isLost(state, cause)) return BECAUSE.failed;
   const because = state.cannot.find((refused) => refused.order === order)?.because;
   if (because === undefined) return null;
   return (because === "unable" && UNABLE[order]) || BECAUSE[because];
@@ -105,8 +105,13 @@ function whyNoWire({ program, feasible, file }: Prospect): Why {
     : "The machine cannot make the design: see Check.";
 }
 
-export function buttons(state: MachineState | null, prospect: Prospect): RunButtons {
-  const why = (order: OrderName): Why => whyNot(state, order);
+/** `cause`: what went wrong first, where something else was refused since. */
+export function buttons(
+  state: MachineState | null,
+  prospect: Prospect,
+  cause: MachineState["problem"] = null,
+): RunButtons {
+  const why = (order: OrderName): Why => whyNot(state, order, cause);
   const noWire = whyNoWire(prospect);
   // Whatever a person wants all the same: the machine would refuse it.
   const isOther = state !== null && prospect.machine !== null && state.machine !== prospect.machine;

@@ -179,3 +179,25 @@ it("does not save an order that cannot be built", async () => {
   await press("Save order…");
   expect(pickSave).not.toHaveBeenCalled();
 });
+
+it("keeps what was found where a file has no order", async () => {
+  at.show(<SequenceSection />);
+  await press("Find");
+  const { found } = useSequence.getState();
+  pickFile.mockResolvedValue("/there/readme.json");
+  ask.mockRejectedValue(new Error("readme.json: there are no steps"));
+  await press("Open…");
+  expect(useSequence.getState().found).toBe(found);
+  expect(at.host.textContent).toContain("readme.json: there are no steps");
+});
+
+it("asks before a file replaces an order that was changed by hand", async () => {
+  at.show(<SequenceSection />);
+  await press("Find");
+  act(() => useSequence.setState({ changed: sequenceDrawn() }));
+  pickFile.mockResolvedValue("/there/order.json");
+  await press("Open…");
+  expect(pickFile).not.toHaveBeenCalled();
+  await press("Replace and open");
+  expect(ask).toHaveBeenLastCalledWith("sequence", expect.objectContaining({ file: "/there/order.json" }));
+});

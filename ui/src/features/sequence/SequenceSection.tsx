@@ -6,7 +6,7 @@ import { Bar, Checkbox, Segmented, Select } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
 import { number, sentence, time } from "../../shared/figures/format";
 import { useLengths } from "../../shared/figures/unit";
-import { Dialog } from "../../shared/layers/Dialog";
+import { Confirm } from "../../shared/layers/Confirm";
 import { Line } from "../../shared/lists/Line";
 import { useWork } from "../../state/asking/work";
 import { useDesign } from "../../state/design/design";
@@ -85,31 +85,9 @@ export function SequenceSection() {
   );
 }
 
-/** Asked before an order that a person has made is replaced. */
-function FindingAgain({ onClose, onFind }: { readonly onClose: () => void; readonly onFind: () => void }) {
-  return (
-    <Dialog
-      title="Replace your order?"
-      onClose={onClose}
-      actions={
-        <>
-          <Button data-first onClick={onClose}>
-            Cancel
-          </Button>
-          <Button kind="danger" onClick={onFind}>
-            Replace and find
-          </Button>
-        </>
-      }
-    >
-      <p>You changed the order by hand. The order that is found replaces it. It cannot be undone.</p>
-    </Dialog>
-  );
-}
-
 function Setup() {
   const { machine, epsilon, groupBy, asking, cancelled, checking, changed } = useSequence();
-  const [replacing, setReplacing] = useState(false);
+  const [replacing, setReplacing] = useState<"find" | "open" | null>(null);
   const wires = useDesign(({ state }) => state?.walks.length ?? 0);
   const builders = useFrame(({ choices }) => choices?.strut_builders ?? null);
   const stale = useSequenceStale();
@@ -127,8 +105,12 @@ function Setup() {
       ? "The order is being checked."
       : null;
   const find = () => {
-    setReplacing(false);
+    setReplacing(null);
     void findSequence(builder?.default_material ?? null);
+  };
+  const open = () => {
+    setReplacing(null);
+    void openOrder(builder?.default_material ?? null);
   };
   return (
     <>
@@ -211,24 +193,33 @@ function Setup() {
           </Button>
         ) : (
           <>
-            <Button
-              why={changed ? "Your order would be replaced: save it, then take it back." : why}
-              onClick={() => void openOrder(builder?.default_material ?? null)}
-            >
+            <Button why={why} onClick={() => (changed ? setReplacing("open") : open())}>
               Open…
             </Button>
             <Button
               kind="primary"
               className="frame-go"
               why={why}
-              onClick={() => (changed ? setReplacing(true) : find())}
+              onClick={() => (changed ? setReplacing("find") : find())}
             >
               Find
             </Button>
           </>
         )}
       </div>
-      {replacing && <FindingAgain onClose={() => setReplacing(false)} onFind={find} />}
+      {replacing && (
+        <Confirm
+          title="Replace your order?"
+          label={`Replace and ${replacing}`}
+          onConfirm={replacing === "find" ? find : open}
+          onClose={() => setReplacing(null)}
+        >
+          <p>
+            You changed the order by hand. The order {replacing === "find" ? "that is found" : "of the file"} replaces
+            it. It cannot be undone.
+          </p>
+        </Confirm>
+      )}
       <div className="frame-bar">
         {(asking || checking) && (
           <Bar done={asking ? (work?.done ?? 0) : 0} of={asking ? (work?.of ?? 0) : 0} label="Looking for a sequence" />

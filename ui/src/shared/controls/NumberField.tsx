@@ -200,7 +200,7 @@ export function NumberField({
   const read = typed === null ? value : how.read(typed);
   const outside = read !== null && inRange(read) === null;
   const wrong = typed !== null && typed.trim() !== "" && (read === null || outside);
-  const limits = outside ? limitsText(how, min, max, positive) : how.expected;
+  const limits = outside ? limitsText(how, min, max, positive && read <= 0) : how.expected;
   // What ends so is not written to its end: it is no time to correct it, unless Enter says that it is.
   const halfWritten = typed !== null && !entered && /[-\u2212+.,/]\s*$/.test(typed);
 

@@ -116,14 +116,21 @@ export async function findSequence(material: string | null, file: string | null 
   const question = asked;
   useSequence.setState({ asking: true, cancelled: false });
   let answer: Pick<SequenceStore, "found" | "problem">;
+  let kept = false;
   try {
     const from = file === null ? {} : { file };
     const found = await asking("sequence", { machine, material, epsilon_mm: epsilon, group_by: groupBy, ...from });
     answer = { found, problem: null };
   } catch (error) {
     answer = { found: null, problem: wordsOf(error) };
+    kept = file !== null;
   }
   if (question !== asked) return;
+  if (kept) {
+    // A file that is no order takes nothing away.
+    useSequence.setState({ problem: answer.problem, asking: false });
+    return;
+  }
   useSequence.setState({ ...answer, changed: null, basis, asking: false, at: 0, playing: false });
   const steps = answer.found?.sequence.steps.length ?? 0;
   if (steps > 0) goToStep(steps);

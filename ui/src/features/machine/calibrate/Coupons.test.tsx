@@ -90,6 +90,8 @@ it("replaces coupons that are there only when that is said, with what is chosen 
   expect(text()).toContain("There are coupons in first already");
   expect(useCalibration.getState().problem).toBeNull();
   await choose(0, "other");
+  // It is looked once more whether they are there, and have readings by now.
+  ask.mockRejectedValueOnce(new Refused({ code: "exists" }));
   await press("Replace");
   expect(asked().at(-1)).toEqual({ ...request, machine: "other", force: true });
   expect(text()).not.toContain("There are coupons in first already");
@@ -125,6 +127,22 @@ it("says how many readings are lost with coupons that are replaced, and asks bef
   await press("Replace and delete");
   expect(asked().at(-1)).toEqual({ ...request, force: true });
   expect(text()).not.toContain("already");
+});
+
+it("asks before readings are deleted that came into the sheet since it was looked at", async () => {
+  HTMLDialogElement.prototype.showModal ??= () => {};
+  const answer = ask.getMockImplementation();
+  let rows: readonly object[] = [];
+  ask.mockImplementation((name: string, request: { force?: boolean }) => {
+    if (name === "calibrate-new" && !request.force) throw new Refused({ code: "exists" });
+    return name === "calibrate-sheet" ? { rows } : answer?.(name, request);
+  });
+  at.show(<Coupons />);
+  await press("Make coupons in a folder…");
+  rows = [{ readings: [58] }];
+  await press("Replace");
+  expect(asked().filter(({ force }) => force)).toEqual([]);
+  expect(at.host.querySelector("dialog")?.textContent).toContain("This deletes the reading in their sheet.");
 });
 
 it("keeps nothing to replace once a person has gone elsewhere, and says what else is wrong as before", async () => {

@@ -6,7 +6,7 @@ import { Select, TextInput } from "../../../shared/controls/inputs";
 import { NumberField } from "../../../shared/controls/NumberField";
 import { count, time } from "../../../shared/figures/format";
 import { useLengths } from "../../../shared/figures/unit";
-import { Dialog } from "../../../shared/layers/Dialog";
+import { Confirm } from "../../../shared/layers/Confirm";
 import { Line } from "../../../shared/lists/Line";
 import { told } from "../../../state/asking/problems";
 import {
@@ -74,38 +74,6 @@ function Of({ sheet, other }: { readonly sheet: SheetOf; readonly other: string 
   );
 }
 
-/** Asked before readings are deleted. */
-function Replacing({
-  folder,
-  lost,
-  onClose,
-  onReplace,
-}: {
-  readonly folder: string;
-  readonly lost: string;
-  readonly onClose: () => void;
-  readonly onReplace: () => void;
-}) {
-  return (
-    <Dialog
-      title={`Replace the coupons in ${folder}?`}
-      onClose={onClose}
-      actions={
-        <>
-          <Button data-first onClick={onClose}>
-            Cancel
-          </Button>
-          <Button kind="danger" onClick={onReplace}>
-            Replace and delete
-          </Button>
-        </>
-      }
-    >
-      <p>This deletes {lost}. It cannot be undone.</p>
-    </Dialog>
-  );
-}
-
 /** What is bent to be measured: jobs, and a sheet for the readings. */
 export function Coupons() {
   const { made, madeFor, occupied, sheet, busy } = useCalibration();
@@ -143,6 +111,14 @@ export function Coupons() {
     if (occupied) void makeCoupons({ ...chosen, folder: occupied.folder }, true);
   };
   const lost = occupied && lostReadings(occupied.readings);
+  // Readings may have come into the sheet since it was looked at.
+  const askToReplace = async () => {
+    if (!occupied) return;
+    await makeCoupons({ ...chosen, folder: occupied.folder }, false);
+    const now = useCalibration.getState().occupied;
+    if (now && lostReadings(now.readings)) setReplacing(true);
+    else if (now) replace();
+  };
   const open = async () => {
     const picked = await told(platform.pickFile([SHEETS]));
     if (picked) await openSheet(picked, "measure");
@@ -222,7 +198,7 @@ export function Coupons() {
                 what={`There are coupons in ${baseName(occupied.folder)} already`}
                 sub={`Choose another folder, or replace them. ${lost ? `Replacing deletes ${lost}.` : "Their sheet has no readings."}`}
                 action={
-                  <Button kind="link" why={why} onClick={() => (lost ? setReplacing(true) : replace())}>
+                  <Button kind="link" why={why} onClick={() => void askToReplace()}>
                     {lost ? "Replace…" : "Replace"}
                   </Button>
                 }
@@ -231,12 +207,14 @@ export function Coupons() {
           )}
         </div>
         {replacing && occupied && lost && (
-          <Replacing
-            folder={baseName(occupied.folder)}
-            lost={lost}
+          <Confirm
+            title={`Replace the coupons in ${baseName(occupied.folder)}?`}
+            label="Replace and delete"
+            onConfirm={replace}
             onClose={() => setReplacing(false)}
-            onReplace={replace}
-          />
+          >
+            <p>This deletes {lost}. It cannot be undone.</p>
+          </Confirm>
         )}
       </div>
       <div className="stack calibrate-made" aria-live="polite">

@@ -86,7 +86,7 @@ function Sheet({ sheet }: { readonly sheet: CalibrationSheet }) {
           </thead>
           <tbody>
             {sheet.rows.map((row, index) => (
-              <tr key={row.line} className={row.row === 1 ? "first" : undefined}>
+              <tr key={`${row.line} ${row.coupon} ${row.row}`} className={row.row === 1 ? "first" : undefined}>
                 <th scope="row">{row.row === 1 ? row.coupon : ""}</th>
                 <td title={sentence(WHAT[row.what]?.how ?? "")}>{WHAT[row.what]?.name ?? row.what}</td>
                 <td className="figure muted">{wanted(row)}</td>

@@ -80,7 +80,8 @@ const USUAL_MOST_DEG = 135;
 /** "the 35 readings in their sheet", "the readings in their sheet" where it is not known how many; null where there are none. */
 export function lostReadings(readings: number | null): string | null {
   if (readings === 0) return null;
-  return `the ${readings === null ? "readings" : count(readings, "reading")} in their sheet`;
+  const many = readings === null ? "readings" : readings === 1 ? "reading" : count(readings, "reading");
+  return `the ${many} in their sheet`;
 }
 
 /** What there is to do about jobs of which no simulated machine has bent anything new; null where there are none. */
@@ -97,7 +98,8 @@ export function usualAngles(bends: readonly [number, number] | null): string {
   if (!bends) return "20° to what the machine can bend";
   // A wire that springs back much can be bent less far than the machine's own limit.
   const most = Math.min(USUAL_MOST_DEG, ...bends.map(Math.abs));
-  return `20° to at most ${short(most, 4)}°`;
+  // One that bends to one side makes no ladder to both.
+  return most < 20 ? "20° to what the machine can bend" : `20° to at most ${short(most, 4)}°`;
 }
 
 export const wanted = (row: CalibrationRow): string =>
