@@ -385,14 +385,13 @@ export class Stage {
   }
 
   private layGrid(height: number): void {
-    const { camera, lengths } = this;
-    const { orbit, ball } = camera;
+    const { lengths } = this;
+    const { orbit, ball } = this.camera;
     const drawing = this.tool === "draw" && !this.playing;
     const snapped = drawing ? this.snap.grid : 0;
     const clicks = this.snap.kinds.has("grid") ? snapped : 0;
     this.spacing = { ...gridSpacing(pixelAtTarget(orbit, height), lengths, snapped), clicks };
-    const back = axes(orbit).back;
-    const ground = facing(back, orbit.orthographic);
+    const ground = facing(axes(orbit).back, orbit.orthographic);
     // The machine stands on the ground; a design is wherever it was drawn.
     const low = this.playing ? this.playback.ground : 0;
     const plane = drawing && this.plane ? this.plane : { ...ground, origin: [0, 0, low] as Vec3 };
