@@ -185,8 +185,11 @@ it("keeps what was found where a file has no order", async () => {
   await press("Find");
   const { found } = useSequence.getState();
   pickFile.mockResolvedValue("/there/readme.json");
-  ask.mockRejectedValue(new Error("readme.json: there are no steps"));
+  let refuse: (error: Error) => void = () => {};
+  ask.mockImplementation(() => new Promise((_, reject) => (refuse = reject)));
   await press("Open…");
+  expect(at.host.textContent).toContain("checking the order…");
+  await act(async () => refuse(new Error("readme.json: there are no steps")));
   expect(useSequence.getState().found).toBe(found);
   expect(at.host.textContent).toContain("readme.json: there are no steps");
 });

@@ -38,19 +38,21 @@ import "./sequence.css";
 
 /** The order in which a machine builds the struts. */
 export function SequenceSection() {
-  const { found, changed, asking, problem } = useSequence();
+  const { found, changed, asking, checking, problem } = useSequence();
   const stale = useSequenceStale();
   const empty = useDesign((design) => design.edges.size === 0);
   const drawn = shownSequence({ found, changed });
   const phrase = asking
     ? "looking for a sequence…"
-    : drawn && stale
-      ? "changed since"
-      : drawn
-        ? phraseOf(drawn)
-        : problem
-          ? "not found"
-          : "not looked for yet";
+    : checking
+      ? "checking the order…"
+      : drawn && stale
+        ? "changed since"
+        : drawn
+          ? phraseOf(drawn)
+          : problem
+            ? "not found"
+            : "not looked for yet";
   const tone = asking
     ? null
     : drawn

@@ -109,12 +109,12 @@ let asked = 0;
 
 /** Looks for a sequence, or checks that of a file, and shows it. `material`: what the machine builds with. */
 export async function findSequence(material: string | null, file: string | null = null): Promise<void> {
-  const { machine, epsilon, groupBy, asking: under } = useSequence.getState();
-  if (machine === null || under) return;
+  const { machine, epsilon, groupBy, asking: under, checking } = useSequence.getState();
+  if (machine === null || under || checking) return;
   const basis = basisOf({ machine, epsilon, groupBy });
   asked += 1;
   const question = asked;
-  useSequence.setState({ asking: true, cancelled: false });
+  useSequence.setState({ asking: file === null, checking: file !== null, cancelled: false });
   let answer: Pick<SequenceStore, "found" | "problem">;
   let kept = false;
   try {
@@ -128,10 +128,10 @@ export async function findSequence(material: string | null, file: string | null 
   if (question !== asked) return;
   if (kept) {
     // A file that is no order takes nothing away.
-    useSequence.setState({ problem: answer.problem, asking: false });
+    useSequence.setState({ problem: answer.problem, checking: false });
     return;
   }
-  useSequence.setState({ ...answer, changed: null, basis, asking: false, at: 0, playing: false });
+  useSequence.setState({ ...answer, changed: null, basis, asking: false, checking: false, at: 0, playing: false });
   const steps = answer.found?.sequence.steps.length ?? 0;
   if (steps > 0) goToStep(steps);
   else hideSequence();
