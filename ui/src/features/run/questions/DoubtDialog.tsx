@@ -101,7 +101,7 @@ export function DoubtDialog({ id, doubt }: { readonly id: number; readonly doubt
           )}
         </div>
       )}
-      <p className="muted" aria-live="polite">
+      <p className="muted what-follows" aria-live="polite">
         <Outcome
           doubt={doubt}
           said={said}
