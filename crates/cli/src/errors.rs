@@ -58,7 +58,7 @@ pub(crate) fn arguments(error: &clap::Error, json: bool) -> ExitCode {
     } else {
         let (first, rest) = text.split_once("\n\n").unwrap_or((&text, ""));
         let lines = rest.lines().map(str::trim).filter(|line| !line.is_empty());
-        // Where the help is, every usage error of a terminal says.
+        // The line that names --help is for a terminal.
         let lines = lines.filter(|line| !line.starts_with("For more information"));
         let help = lines.map(|line| line.strip_prefix("tip: ").unwrap_or(line).to_owned()).collect();
         (first.strip_prefix("error: ").unwrap_or(first).trim_end().to_owned(), help)

@@ -38,7 +38,7 @@ impl StepTime {
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct WireJob {
-    /// The wire; `after` and `rotate_at_deg` are filled in from the journal.
+    /// The wire; `after` and `rotate_at_deg` are filled in from the journal and the play.
     pub run: Run,
     /// All of its steps, in the machine's signs.
     pub steps: Vec<Step>,

@@ -75,6 +75,7 @@ pub(super) struct Heard {
     /// Why it was stopped without a request.
     pub held: Option<ProblemReport>,
     corners_mm: Vec<[f64; 3]>,
+    /// How far the machine was with its step, as the journal had it when this part began.
     part_made_before: Option<PartMade>,
 }
 

@@ -1,5 +1,5 @@
-//! What avoids collisions, or brings every bend within reach of the head, and has no place in a table of the design: to which side each bend is run, how far the head is turned for
-//! it, and how the part is turned before the first bend.
+//! What has no place in a table of the design: to which side each bend is run, how far the head is turned for it, and how the part
+//! is turned before the first bend. It avoids collisions, or brings every bend within reach of the head.
 
 use wirebend_core::bend::{NominalProgram, Step};
 use wirebend_core::plan::fastest_schedule;
