@@ -3,7 +3,7 @@
 use wirebend_driver_api::{Event, SettingCheck};
 
 use super::axes::AxisOffsets;
-use super::{Phase, Session, SessionError, Standstill};
+use super::{Contact, Phase, Session, SessionError, Standstill};
 
 impl Session {
     /// Takes what the driver reports, and moves the state along.
@@ -12,7 +12,7 @@ impl Session {
     /// [`SessionError::Host`] when the driver fails or refuses, [`SessionError::OutOfOrder`] when its account
     /// cannot be true: the state is [`Phase::Failed`] then.
     pub fn poll(&mut self) -> Result<Vec<Event>, SessionError> {
-        if self.lost && self.guard.standstill() == Some(Standstill::Awaited) {
+        if self.contact == Contact::Ended && self.guard.standstill() == Some(Standstill::Awaited) {
             // The program itself waits for the machine; nothing else hears it.
             return Ok(Vec::new());
         }
@@ -28,6 +28,9 @@ impl Session {
                 *resume = None;
             }
             self.count_own_stop(event);
+            if let Event::Fault { disconnected: true, .. } = event {
+                self.contact = self.contact.max(Contact::Gone);
+            }
             self.take_note(event)?;
             self.head.hears(event, self.reference);
             self.phase = self.phase.after(event);

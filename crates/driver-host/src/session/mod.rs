@@ -48,6 +48,16 @@ use stop::Arming;
 pub use stop::{StopHandle, StopOutcome, StoppedBy};
 pub use stop_line::{StopLine, StopLineError};
 
+/// Whether the driver is asked for anything.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Contact {
+    There,
+    /// It failed, or says that the port is closed.
+    Gone,
+    /// It was ended because the machine may move and it is not to be trusted with that.
+    Ended,
+}
+
 /// A connection to a machine through a driver. Dropping it closes the port and ends the driver.
 #[derive(Debug)]
 pub struct Session {
@@ -85,8 +95,7 @@ pub struct Session {
     guard: SessionGuard,
     /// What the machine says that it is.
     identity: String,
-    /// The driver was ended because the machine may move and the driver is not to be trusted with that.
-    lost: bool,
+    contact: Contact,
     /// Whether the machine or a person brings its axes to their reference.
     reference: ReferenceBy,
     /// What reports that a step is done.
@@ -151,7 +160,7 @@ impl Session {
             holds: false,
             guard: SessionGuard::default(),
             identity: String::new(),
-            lost: false,
+            contact: Contact::There,
             reference: ReferenceBy::default(),
             done_by: DoneBy::default(),
             head: Head::default(),

@@ -1,11 +1,12 @@
 //! How the machine stands, as front ends draw it: said by the session alone, in one place.
 
+use std::collections::BTreeSet;
 use std::time::Duration;
 
 use wirebend_driver_api::{Capability, Step};
 
 use super::orders::Orders;
-use super::{Phase, Session, Standstill};
+use super::{Contact, Phase, Session, Standstill};
 
 /// How a machine stands at a moment.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,6 +68,10 @@ impl Session {
         // Before the phase: a stop in between is missed by both.
         let stops = self.arming.stops();
         let phase = better(self.phase_after_stop(stops));
+        // What is given up as it is would refuse it.
+        let given_up =
+            self.contact != Contact::There || phase == Phase::Failed && self.phase != Phase::Failed;
+        let asked = if given_up { &BTreeSet::new() } else { abilities };
         Snapshot {
             phase,
             simulated: self.is_simulated.get().copied().unwrap_or_default(),
@@ -74,7 +79,7 @@ impl Session {
             position: self.position,
             speed_percent: abilities.contains(&Capability::Speed).then_some(self.speed_percent),
             wire: self.wire_progress(),
-            orders: Orders::of(phase, abilities, self.reference),
+            orders: Orders::of(phase, asked, self.reference),
             stops,
         }
     }

@@ -4,7 +4,7 @@ use wirebend_driver_api::Capability;
 
 use super::standstill::{DRIVER_CONFIRMS_WITHIN, GIVE_UP_AFTER, Standstill};
 use super::stop::{StopHandle, StopOutcome};
-use super::{Phase, Session};
+use super::{Contact, Phase, Session};
 
 impl Session {
     /// Stops the machine; see [`StopHandle::stop`].
@@ -37,9 +37,7 @@ impl Session {
         self.guard.forget();
         let outcome = self.arming.take_stopped();
         if outcome.is_some_and(|outcome| outcome.driver_ended) {
-            // It is not asked for anything any more: that would only fail once more.
-            self.phase = Phase::Failed;
-            self.share_port();
+            self.is_out_of_contact(Contact::Gone);
         }
         outcome
     }
@@ -68,7 +66,10 @@ impl Session {
     /// A driver that does not bring the machine's confirmation in time is ended: the program asks for it itself.
     pub(super) fn see_stop_through(&mut self) {
         let Some(awaited) = self.guard.awaited_for() else { return };
-        if awaited > DRIVER_CONFIRMS_WITHIN && !self.lost && self.guard.settles_without_driver() {
+        if awaited > DRIVER_CONFIRMS_WITHIN
+            && self.contact != Contact::Ended
+            && self.guard.settles_without_driver()
+        {
             self.lose_driver();
         } else if awaited > GIVE_UP_AFTER && !self.guard.settles_without_driver() {
             self.guard.give_up();
@@ -89,18 +90,21 @@ impl Session {
         if self.guard.concerns() {
             self.lose_driver();
         }
-        self.phase = Phase::Failed;
+        self.is_out_of_contact(Contact::Gone);
+    }
+
+    /// It is not asked for anything any more: that would only fail once more.
+    fn is_out_of_contact(&mut self, contact: Contact) {
+        (self.phase, self.contact) = (Phase::Failed, self.contact.max(contact));
         self.share_port();
     }
 
     /// Ends the driver: the guard then stops the machine.
     pub(super) fn lose_driver(&mut self) {
-        self.lost = true;
         self.driver.handle().kill();
         // One that had ended before was noticed then.
         self.guard.driver_is_lost();
-        self.phase = Phase::Failed;
-        self.share_port();
+        self.is_out_of_contact(Contact::Ended);
     }
 
     /// Lets a new driver open the port although this program keeps it.

@@ -14,6 +14,10 @@ fn connected(shop: &Shop) -> Seat {
 
 const ALL: [u64; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
 
+/// Nothing is asked of a driver that is gone, nor of one in the middle of a wire that nobody confirmed.
+const UNTIL_CONNECTED_AGAIN: [OrderName; 3] =
+    [OrderName::ResumeRun, OrderName::Abandon, OrderName::Disconnect];
+
 /// The controller starts anew in the middle of a wire: what was sent and not reported a person looks at.
 #[test]
 fn a_wire_is_finished_after_a_reset_with_the_doubt_asked() {
@@ -62,7 +66,7 @@ fn a_wire_goes_on_in_the_machine_when_its_driver_has_died() {
     let asked = seat.says(Answer::No);
     assert!(asked.lines.iter().any(|line| line.contains("still is in this wire")), "{:?}", asked.lines);
     assert_eq!(seat.until_problem().0, "left-in-wire");
-    seat.until_phase(Phase::Failed);
+    assert_eq!(seat.until_phase(Phase::Failed).can, UNTIL_CONNECTED_AGAIN);
     seat.resume(&job);
     seat.says(Answer::Yes);
     assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Made);
@@ -81,7 +85,7 @@ fn a_machine_that_is_unplugged_is_told_and_goes_on_in_a_new_window() {
     assert_eq!(report.code, "unplugged");
     let says = |remedy: &ErrorRemedy| matches!(remedy, ErrorRemedy::FollowDriver { advice } if advice.contains("connect again"));
     assert!(report.remedies.iter().any(says), "{report:?}");
-    seat.until_phase(Phase::Failed);
+    assert_eq!(seat.until_phase(Phase::Failed).can, UNTIL_CONNECTED_AGAIN);
     drop(seat);
     let seat = shop.connect("odd", Some("anywhere"));
     seat.until_problem();
@@ -254,16 +258,12 @@ fn a_driver_that_dies_is_told() {
         seat.says(Answer::Yes);
         let (_, message) = seat.until_problem();
         assert!(message.contains("hostile"), "{message}");
-        let failed = seat.until_phase(Phase::Failed);
-        assert!(!failed.can.contains(&OrderName::Jog));
+        assert_eq!(seat.until_phase(Phase::Failed).can, UNTIL_CONNECTED_AGAIN);
     }
     let shop = Shop::odd("connect-exit", |_| json!({}));
     let seat = shop.connect("odd", Some("anywhere"));
     seat.until_problem();
-    assert_eq!(
-        seat.until_phase(Phase::Failed).can,
-        [OrderName::ResumeRun, OrderName::Abandon, OrderName::Disconnect]
-    );
+    assert_eq!(seat.until_phase(Phase::Failed).can, UNTIL_CONNECTED_AGAIN);
     // A machine that there is not.
     let seat = shop.connect("nobody", None);
     assert!(seat.until_problem().1.contains("nobody"));

@@ -9,9 +9,8 @@ import type { LiveCheck, PortEntry } from "../../generated/responses";
 import { Dialog, DialogHead } from "../../shared/layers/Dialog";
 import { place } from "../../shared/testing";
 import { useDesign } from "../../state/design/design";
-import type { OperatorEvent } from "../../state/machine/operator";
 import { setWire, useRow } from "../../state/machine/row";
-import { hearOperator, useRun } from "../../state/machine/run";
+import { useRun } from "../../state/machine/run";
 import { designState, machineState } from "../../state/testing";
 import { useUi } from "../../state/window/ui";
 import { RunSection } from "./RunSection";
@@ -39,29 +38,6 @@ it("has a button to connect a machine that has failed again: its problem says to
   expect(at.host.textContent).not.toContain("Nothing moves.");
   act(() => useRun.setState({ state: machineState("ready", "home", "disconnect") }));
   expect(buttons()).not.toContain("Connect again");
-});
-
-it("still says what went wrong first once something was ordered of a connection that is gone", () => {
-  const state = (phase: "failed" | "homing" | "connected", code: string | null): OperatorEvent => ({
-    event: "state",
-    ...machineState(phase, "home", "disconnect"),
-    problem: code === null ? null : { code, message: `it is ${code}`, remedies: [] },
-  });
-  const hear = (...states: OperatorEvent[]) => act(() => states.forEach(hearOperator));
-  at.show(<RunSection />);
-  hear(state("failed", "machine-fault"), state("homing", null), state("failed", "driver-ended"));
-  expect(at.host.textContent).toContain("It is machine-fault");
-  expect(at.host.textContent).not.toContain("driver-ended");
-  const home = [...at.host.querySelectorAll("button")].find(({ textContent }) => textContent === "Home");
-  expect(home?.title).toBe("The machine failed: connect it again.");
-  // What else the machine's driver says is said below it.
-  hear(state("failed", "driver-refused"));
-  expect(at.host.querySelector("[role=alert]")?.textContent).toMatch(
-    /The machine failed.*It is machine-fault.*That did not work.*It is driver-refused/,
-  );
-  // It is of that connection alone.
-  hear(state("connected", null), state("failed", "driver-ended"));
-  expect(at.host.textContent).toContain("It is driver-ended");
 });
 
 it("says how to come to another machine while a wire is in the connected one, which cannot be disconnected then", () => {

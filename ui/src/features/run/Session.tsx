@@ -18,8 +18,7 @@ export function Session({ state }: { readonly state: MachineState }) {
   const designed = useRunMachine();
   const file = useRunFile((run) => run.file);
   const machines = useMachines((store) => store.machines);
-  const cause = useRun((run) => run.cause);
-  const all = buttons(state, useProspect(), cause);
+  const all = buttons(state, useProspect());
   const bending = useRun(isBending);
   const name = (id: string | null) => machines?.find((machine) => machine.id === id)?.name ?? id ?? "none";
   const simulated = simulatedPhrase(state.simulated_as, name);

@@ -68,28 +68,8 @@ const UNABLE: Readonly<Partial<Record<OrderName, string>>> = {
   "write-settings": "This machine's settings cannot be written from here.",
 };
 
-/**
- * Problems after which nothing is connected any more: the driver's process is gone, or the drivers' own word for a cable that is out. After
- * others, such as an alarm, homing is the way on.
- */
-const LOST: ReadonlySet<string> = new Set([
-  "driver-broken",
-  "driver-died",
-  "driver-ended",
-  "driver-garbage",
-  "driver-hung",
-  "driver-too-large",
-  "no-answer",
-  "unplugged",
-]);
-
-const isLost = ({ phase, problem }: MachineState, cause: MachineState["problem"]): boolean =>
-  phase === "failed" && [problem, cause].some((one) => one != null && LOST.has(one.code));
-
-function whyNot(state: MachineState | null, order: OrderName, cause: MachineState["problem"]): Why {
+function whyNot(state: MachineState | null, order: OrderName): Why {
   if (!state) return BECAUSE["not-connected"];
-  // It would be asked of a driver that is gone, and what that says would take the place of what went wrong.
-  if (order === "home" && isLost(state, cause)) return BECAUSE.failed;
   const because = state.cannot.find((refused) => refused.order === order)?.because;
   if (because === undefined) return null;
   return (because === "unable" && UNABLE[order]) || BECAUSE[because];
@@ -105,13 +85,8 @@ function whyNoWire({ program, feasible, file }: Prospect): Why {
     : "The machine cannot make the design: see Check.";
 }
 
-/** `cause`: what went wrong first, where something else was refused since. */
-export function buttons(
-  state: MachineState | null,
-  prospect: Prospect,
-  cause: MachineState["problem"] = null,
-): RunButtons {
-  const why = (order: OrderName): Why => whyNot(state, order, cause);
+export function buttons(state: MachineState | null, prospect: Prospect): RunButtons {
+  const why = (order: OrderName): Why => whyNot(state, order);
   const noWire = whyNoWire(prospect);
   // Whatever a person wants all the same: the machine would refuse it.
   const isOther = state !== null && prospect.machine !== null && state.machine !== prospect.machine;

@@ -34,8 +34,6 @@ export interface EndedAs {
 interface RunStore {
   /** How the machine stands; null as long as none was connected. */
   readonly state: MachineState | null;
-  /** What went wrong first with a connection that has failed: what is ordered of it afterwards fails with less to say. */
-  readonly cause: MachineState["problem"];
   /** The order to bend wires goes on, but none is in the machine just now: one is cut off, or the next one is prepared. */
   readonly between: boolean;
   readonly question: Question | null;
@@ -62,7 +60,6 @@ interface RunStore {
 
 export const useRun = create<RunStore>()(() => ({
   state: null,
-  cause: null,
   between: false,
   question: null,
   console: [],
@@ -111,18 +108,9 @@ function standAsAnswered(state: MachineState | null, before: number): void {
   if (heard === before) stand(state);
 }
 
-/** How a machine stands while an order of a connection that has failed is tried. */
-const TRIED: ReadonlySet<Phase> = new Set(["failed", "homing", "stopping"]);
-
-function causeOf(state: MachineState | null, before: RunStore): RunStore["cause"] {
-  if (!state || !TRIED.has(state.phase)) return null;
-  return before.cause ?? (state.phase === "failed" ? state.problem : null);
-}
-
 function stand(state: MachineState | null): void {
   useRun.setState((before) => ({
     state,
-    cause: causeOf(state, before),
     between: state?.busy === true && !isInWire(state.phase) && !OVER.has(state.phase) && isBending(before),
     question: state?.question === undefined ? before.question : state.question,
   }));
