@@ -137,6 +137,10 @@ pub struct Run {
     /// Since 1.1.
     #[serde(default)]
     pub rotate_at_deg: f64,
+    /// Where the head stands once all steps are done that the machine has taken, degrees likewise, where it still is in the wire: the next
+    /// step turns it from there. Since 1.7.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rotate_taken_deg: Option<f64>,
     /// How much of the step after `after` is fed already, mm: a step that was interrupted, of which the rest is sent under
     /// its number. Since 1.2.
     #[serde(default)]

@@ -109,7 +109,7 @@ impl Session {
         let begun = |n: u32| if n == self.done { begun_deg } else { 0.0 };
         let stands = |n: u32| turned(steps, n) + begun(n);
         let (rotate_at_deg, head) = (stands(self.done), stands(self.sent));
-        let run = Run { after: self.done, rotate_at_deg, ..run };
+        let run = Run { after: self.done, rotate_at_deg, rotate_taken_deg: Some(head), ..run };
         let token = self.call_to_arm(run)?;
         let armed = self.armed(token)?;
         self.off.head_stands_at(head);

@@ -5,6 +5,7 @@ use std::time::Duration;
 use wirebend_driver_api::{ArmedReply, Axis, Batch, DriverError, Motion, Run, Sent, Step};
 
 use super::fault;
+use super::head_target::HeadTarget;
 use super::machine::{Activity, FASTEST, Halt, HeadReference, Homing, Machine, session_id};
 use super::wire_progress::{Token, WireProgress};
 use crate::link::Request;
@@ -36,6 +37,7 @@ impl Machine {
         // A user who homes has seen that the machine is at rest.
         self.ending = None;
         (self.homed, self.halt, self.wire) = (false, Halt::No, None);
+        self.head_target = HeadTarget::default();
         let busy = self.status.is_some_and(|status| matches!(status.state, State::Run | State::Hold));
         if busy {
             self.link.stop(now);
@@ -52,13 +54,16 @@ impl Machine {
             && self.activity == Activity::Idle
         {
             wire.steps = run.steps;
+            let taken_deg = run.rotate_taken_deg.unwrap_or(run.rotate_at_deg);
+            self.head_target = HeadTarget::at(taken_deg, self.rotate_steps_per_deg());
             self.activity = Activity::Running;
             return Ok(ArmedReply { token: Some(token.to_string()) });
         }
         self.require_rest("run a job")?;
         self.require_homed()?;
         let token = Token { session: session_id(self.link.session()), boots: self.boots, after: run.after };
-        let rotate_at = steps(run.rotate_at_deg * self.rotate_steps_per_deg());
+        self.head_target = HeadTarget::at(run.rotate_at_deg, self.rotate_steps_per_deg());
+        let rotate_at = self.head_target.steps();
         self.wire = Some(WireProgress::new(run, rotate_at));
         if rotate_at == 0 || self.head == HeadReference::Lost {
             self.open_for_wire(token.session, now);
@@ -103,7 +108,7 @@ impl Machine {
         else {
             return Err(DriverError::new("not-armed", "the machine is not armed for a wire", "arm it"));
         };
-        let (mut given, done) = (wire.given, wire.done);
+        let (mut given, done, mut head) = (wire.given, wire.done, self.head_target);
         let mut lines = Vec::new();
         for step in &batch.steps {
             if step.n <= given {
@@ -115,9 +120,11 @@ impl Machine {
             if self.activity != Activity::Running || step.n > done + AHEAD {
                 break;
             }
-            lines.push((step.step, self.line_of(step.n, step.step)?, self.approach_of(step.n, step.step)?));
+            let line = self.line_of(step.n, step.step, &mut head)?;
+            lines.push((step.step, line, self.approach_of(step.n, step.step)?));
             given = step.n;
         }
+        self.head_target = head;
         let all = batch.steps.last().is_none_or(|last| last.n <= given);
         if let Some(wire) = &mut self.wire {
             for (n, (step, [feed, rotate, bend], approach)) in (wire.given + 1..).zip(lines) {
@@ -142,10 +149,12 @@ impl Machine {
             Axis::Rotate => &mut step.rotate_deg,
             Axis::Bend => &mut step.bend_deg,
         } = motion.by;
-        let line = self.line_of(0, step)?;
+        let mut head = self.head_target;
+        let line = self.line_of(0, step, &mut head)?;
         if motion.dry {
             self.require_since(DRY_SINCE, "dry run")?;
         }
+        self.head_target = head;
         let letter = if motion.dry { b'Y' } else { b'M' };
         self.activity = Activity::Jogging(self.link.line(letter, &line));
         Ok(())
@@ -215,7 +224,7 @@ impl Machine {
     }
 
     /// A step in motor steps, if it is within the limits.
-    fn line_of(&self, n: u32, step: Step) -> Result<[i32; 3], DriverError> {
+    fn line_of(&self, n: u32, step: Step, head: &mut HeadTarget) -> Result<[i32; 3], DriverError> {
         let settings = &self.settings;
         let per_deg = f64::from(settings.bend_steps_per_turn) / 360.0;
         let within = |value: f64, max: f64| value.is_finite() && value.abs() <= max + 1e-9;
@@ -230,7 +239,7 @@ impl Machine {
         }
         Ok([
             steps(step.feed_mm * settings.feed_steps_per_mm),
-            steps(step.rotate_deg * self.rotate_steps_per_deg()),
+            head.turn(step.rotate_deg, self.rotate_steps_per_deg()),
             steps(step.bend_deg * per_deg),
         ])
     }
@@ -310,6 +319,26 @@ mod tests {
         };
         assert_eq!(jog(111, true).unwrap_err().code, "older-firmware");
         assert!(jog(111, false).is_ok() && jog(112, true).is_ok());
+    }
+
+    /// 22.5° are 1028.56 steps: sixteen times 1029 are seven more than a turn, which the firmware refuses.
+    #[test]
+    fn turns_in_whole_steps_add_up_to_what_the_exact_ones_do() {
+        let machine = Machine::new(Rc::new(Settings::default()), None, Duration::ZERO);
+        let per_deg = machine.rotate_steps_per_deg();
+        for rotate_deg in [22.5, 1.0, -0.004, 0.0] {
+            let (mut head, mut told, mut exact) = (HeadTarget::default(), 0, 0.0);
+            for n in 1..=16 {
+                let step = Step { rotate_deg, ..Step::default() };
+                told += machine.line_of(n, step, &mut head).unwrap()[1];
+                exact += rotate_deg * per_deg;
+                assert!((f64::from(told) - exact).abs() < 0.5 + 1e-6, "{told}, not {exact}");
+            }
+        }
+        // Where it goes on it stands as if it had come there from its zero.
+        let mut head = HeadTarget::default();
+        let sum: i32 = [90.0, 90.0, -90.0].map(|deg| head.turn(deg, 411.5 / 90.0)).iter().sum();
+        assert_eq!((sum, head.steps()), (412, HeadTarget::at(90.0, 411.5 / 90.0).steps()));
     }
 
     #[test]

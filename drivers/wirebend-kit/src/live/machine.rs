@@ -8,6 +8,7 @@ use std::time::Duration;
 use wirebend_driver_api::Event;
 
 use super::console::Console;
+use super::head_target::HeadTarget;
 use super::wire_progress::{Token, WireProgress};
 use crate::link::Link;
 use crate::protocol::{Alarm, Refusal, SETTINGS, Status, Versions};
@@ -152,6 +153,7 @@ pub(super) struct Machine {
     pub(super) halt: Halt,
     pub(super) ending: Option<Ending>,
     pub(super) wire: Option<WireProgress>,
+    pub(super) head_target: HeadTarget,
 }
 
 impl Machine {
@@ -187,6 +189,7 @@ impl Machine {
             halt: Halt::No,
             ending: None,
             wire: None,
+            head_target: HeadTarget::default(),
         }
     }
 

@@ -4,6 +4,7 @@ mod calls;
 mod console;
 mod ending;
 mod fault;
+mod head_target;
 mod incoming;
 mod machine;
 mod ports;
