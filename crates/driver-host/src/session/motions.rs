@@ -55,7 +55,7 @@ impl Session {
         if after > steps || !rotate_at_deg.is_finite() {
             return Err(SessionError::Steps { sent: after, total: steps });
         }
-        if (after > 0 || rotate_at_deg != 0.0) && self.driver.minor() == 0 {
+        if (after > 0 || rotate_at_deg != 0.0) && !self.turns_head_first() {
             let driver = self.driver.description().id.clone();
             return Err(SessionError::TooOld { driver, after });
         }
@@ -66,6 +66,12 @@ impl Session {
         (self.phase, self.steps, self.sent, self.done) = (next, Some(steps), after, after);
         self.times = Some(Default::default());
         Ok(armed)
+    }
+
+    /// Whether the driver turns the head to its place before a wire, or the rest of one.
+    #[must_use]
+    pub const fn turns_head_first(&self) -> bool {
+        self.driver.minor() > 0
     }
 
     /// Makes ready for moves by hand. The token ends as that of [`Session::arm`].

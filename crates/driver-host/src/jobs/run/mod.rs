@@ -36,7 +36,7 @@ pub struct JobRun {
     estimator: TimeEstimator,
     armed: Option<Armed>,
     window: SendWindow,
-    /// The step in which the wire goes on, and how much more it turns than its rest does.
+    /// The step in which the wire begins or goes on, and how much more it turns than its rest does.
     turns_more: (u32, f64),
     /// A stop is written down once.
     stop_noted: bool,
@@ -120,8 +120,7 @@ impl JobRun {
                 let JournalState { done, part, .. } = *self.journal_state();
                 // The step in hand is the one in which the wire went on.
                 if self.armed_after() == Some(done) {
-                    let more = play::turns_more(&self.work.steps, done, part, self.work.head_play_deg);
-                    self.turns_more = (done + 1, more);
+                    self.turns_more = (done + 1, self.turns_more_after(done, part));
                 }
                 let begun = part.rotate_deg - self.turns_more_in(done + 1);
                 let run = self.work.run.clone();
@@ -134,7 +133,7 @@ impl JobRun {
                     self.note(part.told_by(n, ToldBy::Machine))?;
                 }
                 let (after, part) = (from - 1, self.journal_state().part);
-                let more = play::turns_more(&self.work.steps, after, part, self.work.head_play_deg);
+                let more = self.turns_more_after(after, part);
                 let rotate_at_deg = turned(&self.work.steps, after) + part.rotate_deg - more;
                 let run = Run { after, rotate_at_deg, fed_mm: part.feed_mm, ..self.work.run.clone() };
                 let armed = self.session.arm(run, permit)?;

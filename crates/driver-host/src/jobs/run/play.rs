@@ -1,4 +1,5 @@
-//! The play of a head when a wire goes on: the head has to come to its place from the side from which it came before.
+//! The play of a head when a wire begins or goes on: the head has to come to its place from the side from which the program takes it to
+//! come, whatever turned it to zero before.
 
 use wirebend_driver_api::Step;
 
@@ -19,27 +20,42 @@ impl JobRun {
         })
     }
 
-    /// How much more than its rest a step turns, since the wire goes on in it.
+    /// How much more the step after the first `done` turns where the wire begins or goes on within it.
+    pub(super) fn turns_more_after(&self, done: u32, part: Part) -> f64 {
+        // Whoever cannot turn the head first begins with it as it stands.
+        if !self.session.turns_head_first() {
+            return 0.0;
+        }
+        turns_more(&self.work.steps, done, part, self.work.head_play_deg)
+    }
+
+    /// How much more than its rest a step turns, since the wire begins or goes on in it.
     pub(super) fn turns_more_in(&self, n: u32) -> f64 {
         let (step, more) = self.turns_more;
         if n == step { more } else { 0.0 }
     }
 }
 
-/// How much more the step after the first `done` turns where a wire goes on within it: the head, which was put to zero since, stands so far
-/// before, and so takes up its play as it did when it came there first. Zero where the rest of the step does that, and for a new wire.
-/// No more than the last turn was: so far the head can stand.
+/// How much more the step after the first `done` turns where a wire begins, or goes on within it: the head, which was put to zero since,
+/// stands so far before, and so takes up its play as it did when it came there first. Before the first turn it is that turn whose play is
+/// taken up, as programs have it. Zero where the rest of the step does that. No more than the last turn was: so far the head can stand.
 pub(super) fn turns_more(steps: &[Step], done: u32, part: Part, play_deg: f64) -> f64 {
-    if play_deg <= 0.0 || (done == 0 && part == Part::default()) {
+    if play_deg <= 0.0 {
         return 0.0;
     }
-    let count = usize::try_from(done).unwrap_or(usize::MAX).saturating_add(1);
-    let mut turns = steps.iter().take(count).map(|step| step.rotate_deg);
-    let Some(last) = turns.rfind(|turn| turn.abs() > ROUNDING_DEG) else { return 0.0 };
-    let rest = steps.get(count - 1).map_or(0.0, |step| step.rotate_deg - part.rotate_deg);
-    let takes_up = (rest * last.signum()).max(0.0);
-    let needed = (play_deg + BEYOND_DEG).min(last.abs());
-    (needed - takes_up).max(0.0) * last.signum()
+    let begun = usize::try_from(done).unwrap_or(usize::MAX);
+    let rest = steps.get(begun).map_or(0.0, |step| step.rotate_deg - part.rotate_deg);
+    // That nothing is turned yet of a step is nothing that the head came from.
+    let count = begun.saturating_add(usize::from(part.rotate_deg != 0.0 || done > 0));
+    let is_turn = |turn: &f64| turn.abs() > ROUNDING_DEG;
+    let before = steps.iter().take(count).map(|step| step.rotate_deg).rfind(is_turn);
+    let whole = play_deg + BEYOND_DEG;
+    let first = || steps.iter().map(|step| step.rotate_deg).find(is_turn).map(|turn| (turn, whole));
+    let Some((turn, needed)) = before.map(|turn| (turn, whole.min(turn.abs()))).or_else(first) else {
+        return 0.0;
+    };
+    let takes_up = (rest * turn.signum()).max(0.0);
+    (needed - takes_up).max(0.0) * turn.signum()
 }
 
 /// What is turned of a step that turns `more` besides: what takes up the play comes first, and is nothing of it.
@@ -100,6 +116,30 @@ mod tests {
             let whole = turns[at] - part.rotate_deg;
             prop_assert!((turned_of_step(whole + more, more) - whole).abs() < 1e-9);
         }
+
+        /// Homing turns it back from where the wire before has left it: to one side, to the other, or not at all.
+        #[test]
+        fn a_wire_comes_out_the_same_whatever_turned_the_head_to_zero(
+            turns in prop::collection::vec(prop_oneof![Just(0.0), -90.0..90.0_f64], 1..8),
+            play in 0.1..4.0_f64, off in -0.9..0.9_f64, rests in 0.0..=1.0_f64,
+        ) {
+            let steps: Vec<Step> =
+                turns.iter().map(|&rotate_deg| Step { rotate_deg, ..Step::default() }).collect();
+            let Some(first) = turns.iter().find(|turn| **turn != 0.0) else { return Ok(()) };
+            let more = turns_more(&steps, 0, Part::default(), play);
+            // It is not known exactly.
+            let play = (play + off).max(0.0);
+            let mut planned = Head { drive: 0.0, stands: if *first > 0.0 { -play } else { 0.0 }, play };
+            let mut begun = Head { drive: 0.0, stands: -play * rests, play };
+            begun.turn(-more);
+            begun.turn(turns[0] + more);
+            planned.turn(turns[0]);
+            for &by in &turns[1..] {
+                prop_assert!((begun.stands - planned.stands).abs() < 1e-9, "{} instead of {}", begun.stands, planned.stands);
+                begun.turn(by);
+                planned.turn(by);
+            }
+        }
     }
 
     #[test]
@@ -111,7 +151,8 @@ mod tests {
         };
         for (done, turned, play, wanted) in [
             (2, 0.0, 0.0, 0.0),
-            (0, 0.0, 1.5, 0.0),
+            (0, 0.0, 0.0, 0.0),
+            (0, 0.0, 1.5, 2.5),
             (2, 0.0, 1.5, 2.5),
             (1, 0.0, 1.5, 0.0),
             (1, 29.0, 1.5, 1.5),
