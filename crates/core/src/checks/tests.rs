@@ -190,6 +190,25 @@ fn a_head_that_cannot_turn_far_enough_is_named_with_the_step() {
     assert_eq!((rotation.location.step, &rotation.location.vertices[..]), (Some(1), &[VertexId(2)][..]));
 }
 
+/// The head comes to 90°; to turn so far, one that turns too little is sent farther.
+#[test]
+fn a_head_that_is_sent_farther_than_it_can_turn_is_named_with_the_step() {
+    let twisted = chain(&[[0., 0., 0.], [40., 0., 0.], [40., 40., 0.], [40., 40., 40.]]);
+    let mut machine = published_machine();
+    (machine.head.min, machine.head.max) = (deg(-90.0), deg(90.0));
+    assert!(
+        on(&machine, &twisted, &PlanOptions::default()).iter().all(|d| d.code() != Code::RotationOutOfRange)
+    );
+    machine.compensation.motion.rotate_offset = deg(5.0);
+    assert!(
+        on(&machine, &twisted, &PlanOptions::default()).iter().all(|d| d.code() != Code::RotationOutOfRange)
+    );
+    machine.compensation.motion.rotate_offset = deg(-5.0);
+    let found = on(&machine, &twisted, &PlanOptions::default());
+    let rotation = only(&found, Code::RotationOutOfRange);
+    assert_eq!((rotation.location.step, measured_deg(rotation).round()), (Some(1), 95.0));
+}
+
 #[test]
 fn stock_includes_the_tail_that_cannot_be_fed() {
     let mut short = published_machine();

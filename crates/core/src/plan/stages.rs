@@ -5,10 +5,10 @@ use super::seen::stages_of;
 use super::{Machine, Stage, WirePlan};
 use crate::bend::{NominalProgram, PathError, program_of_path};
 use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity, WireStages, check_wire};
-use crate::compensate::{StepError, compensate};
+use crate::compensate::{CompensatedProgram, StepError, compensate};
 use crate::estimate::stock;
 use crate::route::ForcedBend;
-use crate::schedule::{RotationOutOfRange, ScheduledProgram, schedule};
+use crate::schedule::{HeadLimits, RotationOutOfRange, ScheduledProgram, schedule};
 use crate::units::Angle;
 use crate::wireframe::{EdgeId, Wireframe};
 
@@ -124,6 +124,7 @@ fn run_stages(
             match compensate(&scheduled, &machine.compensation) {
                 Ok(program) => {
                     failures.unbendable = program.unpressed().to_vec();
+                    failures.rotation = commanded_beyond(&program, machine);
                     plan.seconds = Some(machine.time.seconds(&program));
                     plan.stock = Some(stock(&program, limits.tail.value));
                     plan.compensated = Some(program);
@@ -134,6 +135,22 @@ fn run_stages(
         }
     }
     done(Stage::Compensate);
+}
+
+/// The first step for which a head that is off is sent farther than it can turn.
+fn commanded_beyond(program: &CompensatedProgram, machine: &Machine) -> Option<RotationOutOfRange> {
+    if machine.compensation.motion.is_exact() {
+        return None;
+    }
+    let HeadLimits { min, max, .. } = machine.head;
+    let rounding = Angle::computed(1e-9);
+    let sent = program.steps().iter().scan(Angle::ZERO, |at, step| {
+        *at += step.rotate;
+        Some(*at)
+    });
+    let beyond = |at: &Angle| *at < min - rounding || *at > max + rounding;
+    let (step, wanted) = sent.enumerate().find(|(_, at)| beyond(at))?;
+    Some(RotationOutOfRange { step, wanted, min, max })
 }
 
 /// The finding of a route with a segment without length. The check of the design names the edge by its vertices too.

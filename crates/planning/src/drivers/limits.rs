@@ -102,6 +102,8 @@ impl Merge<'_> {
         let profile = &mut self.machine.profile;
         let (limits, bend) = (&mut profile.limits, &mut profile.bend);
         let tail = limits.tail_mm.as_ref().map_or(0.0, |tail| tail.value);
+        // It is sent, and limits of wire are of what comes of it.
+        let fed = |sent: f64| sent * profile.feed.scale.as_ref().map_or(1.0, |scale| scale.value);
         let range = |figure: &Figure| figure.as_ref().map_or(0.0, |figure| figure.value);
         let changed: &[Option<&str>] = match (limit.axis, limit.of) {
             (Axis::Feed, Extent::Step) => {
@@ -109,7 +111,7 @@ impl Merge<'_> {
             }
             // All feeds are the stock but for its tail.
             (Axis::Feed, Extent::Position) => {
-                &[keep(&mut limits.max_stock_mm, most + tail, &source, "limits.max_stock_mm")]
+                &[keep(&mut limits.max_stock_mm, fed(most) + tail, &source, "limits.max_stock_mm")]
             }
             (Axis::Rotate, of) => {
                 let width = range(&limits.max_rotation_deg) - range(&limits.min_rotation_deg);
@@ -205,4 +207,35 @@ fn keep(figure: &mut Figure, most: f64, source: &str, key: &'static str) -> Opti
         within_95_before: None,
     });
     Some(key)
+}
+
+#[cfg(test)]
+mod tests {
+    use wirebend_profile::Library;
+
+    use super::*;
+
+    /// A limit of the feed axis is one of what it is sent; stock is wire.
+    #[test]
+    fn the_stock_is_as_much_wire_as_the_feed_axis_gives_within_its_travel() {
+        let stated = |value| Sourced {
+            value,
+            source: "a test".to_owned(),
+            measured: false,
+            within_95: None,
+            within_95_before: None,
+        };
+        let travel = AxisLimit::known(Axis::Feed, Extent::Position, 300.0, "its travel");
+        let board =
+            Board { port: "a port".to_owned(), limits: Limits { limits: vec![travel], ..Limits::default() } };
+        for (scale, wire_mm) in [(None, 300.0), (Some(0.9), 270.0), (Some(1.1), 330.0)] {
+            let mut machine = Library::shipped().unwrap().machine("grbl-bender").unwrap();
+            (machine.profile.feed.scale, machine.profile.limits.tail_mm) =
+                (scale.map(stated), Some(stated(100.0)));
+            machine.profile.limits.max_stock_mm = None;
+            board.limit(&mut machine);
+            let stock_mm = machine.profile.limits.max_stock_mm.unwrap().value;
+            assert!((stock_mm - wire_mm - 100.0).abs() < 1e-9, "{scale:?}: {stock_mm}");
+        }
+    }
 }
