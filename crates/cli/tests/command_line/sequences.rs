@@ -372,6 +372,19 @@ fn what_is_no_frame_and_no_sequence_is_refused() {
             assert!(refused.contains("expected a direction of length 1"), "{direction}: {refused}");
         }
     }
+    // What is said twice of a wire, and changed once.
+    let joints = "\"edges\": [0, 1], \"joints\": [{\"vertex\": 0, \"direction\": [0, 0, 1]}]";
+    for (twice, expected) in [
+        ("\"direction\": [0, 1, 0]", "'direction' is [0, 1, 0], and the first of 'joints' has [0, 0, 1]"),
+        ("\"from_vertex\": 3", "'from_vertex' is 3, and the first of 'joints' is at 0"),
+        ("\"edge\": 1", "'edge' is 1, and 'edges' begins with 0"),
+    ] {
+        let edge = if twice.contains("edge") { "" } else { "\"edge\": 0, " };
+        write("twice.json", &format!("{{\"steps\": [\n{{{edge}{twice}, {joints}}}]}}"));
+        let refused =
+            ask(&[&[frame.as_str()], &machine[..], &["--check", "twice.json"]].concat()).ended(3).err;
+        assert!(refused.contains(&format!("step 1: {expected}: expected the same of both")), "{refused}");
+    }
     write("other.json", "[1, 2]");
     ask(&[&[frame.as_str()], &machine[..], &["--check", "other.json"]].concat()).ended(3);
     // The authors' sequence is of the bunny in another place and size.

@@ -1,5 +1,7 @@
 //! A sequence from a file: what this command wrote, or what `FrameFab` did.
 
+use std::fmt::Display;
+
 use nalgebra::Vector3;
 use serde::Deserialize;
 use wirebend_core::checks::sequence::StepKind;
@@ -15,10 +17,13 @@ use crate::design::{Input, Opened};
 /// Files of positions have three decimals.
 const POSITIONS_MM: f64 = 0.01;
 
+/// How far directions of length 1 may be apart that a person typed twice.
+const SAME_DIRECTION: f64 = 1e-6;
+
 /// What is read of the answer of this command.
 #[derive(Deserialize)]
 struct OwnFile {
-    steps: Vec<OwnStep>,
+    steps: Vec<Given>,
 }
 
 #[derive(Deserialize)]
@@ -40,6 +45,10 @@ struct OwnJoint {
     vertex: u32,
     direction: Axis,
 }
+
+#[derive(Deserialize)]
+#[serde(try_from = "OwnStep")]
+struct Given(GivenStep);
 
 /// The direction of the head's axis.
 #[derive(Clone, Copy, Deserialize)]
@@ -65,7 +74,7 @@ pub(super) fn read(input: &Input, opened: &Opened) -> Result<Vec<GivenStep>, Pla
         line: error.line(),
         reason: wrong_step(&bytes).unwrap_or_else(|| error.to_string()),
     })?;
-    Ok(file.steps.into_iter().map(step).collect())
+    Ok(file.steps.into_iter().map(|step| step.0).collect())
 }
 
 /// Whether it has steps, or would have if it were whole; everything else is told by the reader of `FrameFab`'s files.
@@ -86,28 +95,61 @@ fn is_own(bytes: &[u8]) -> bool {
 fn wrong_step(bytes: &[u8]) -> Option<String> {
     let file: serde_json::Value = serde_json::from_slice(bytes).ok()?;
     let wrong = |(k, step): (usize, &serde_json::Value)| {
-        let error = OwnStep::deserialize(step).err()?;
+        let error = Given::deserialize(step).err()?;
         Some(format!("step {}: {error}", k + 1))
     };
     file.get("steps")?.as_array()?.iter().enumerate().find_map(wrong)
 }
 
-fn step(own: OwnStep) -> GivenStep {
-    let joints = if own.joints.is_empty() {
-        let of = |(vertex, direction): (u32, Axis)| OwnJoint { vertex, direction };
-        own.from_vertex.zip(own.direction).map(of).into_iter().collect()
-    } else {
-        own.joints
-    };
-    let edges = if own.edges.is_empty() { vec![own.edge] } else { own.edges };
-    GivenStep {
-        edges: edges.into_iter().map(EdgeId).collect(),
-        kind: own.kind.map(StepKind::from),
-        joints: joints
-            .into_iter()
-            .map(|joint| GivenJoint { vertex: VertexId(joint.vertex), directions: vec![joint.direction.0] })
-            .collect(),
+impl TryFrom<OwnStep> for Given {
+    type Error = String;
+
+    fn try_from(own: OwnStep) -> Result<Self, String> {
+        own.is_consistent()?;
+        let joints = if own.joints.is_empty() {
+            let of = |(vertex, direction): (u32, Axis)| OwnJoint { vertex, direction };
+            own.from_vertex.zip(own.direction).map(of).into_iter().collect()
+        } else {
+            own.joints
+        };
+        let edges = if own.edges.is_empty() { vec![own.edge] } else { own.edges };
+        Ok(Self(GivenStep {
+            edges: edges.into_iter().map(EdgeId).collect(),
+            kind: own.kind.map(StepKind::from),
+            joints: joints
+                .into_iter()
+                .map(|joint| GivenJoint {
+                    vertex: VertexId(joint.vertex),
+                    directions: vec![joint.direction.0],
+                })
+                .collect(),
+        }))
     }
+}
+
+impl OwnStep {
+    /// Of a wire or rod some things are said twice, and a person may have changed only one.
+    fn is_consistent(&self) -> Result<(), String> {
+        if let Some(first) = self.edges.first().filter(|&&first| first != self.edge) {
+            return Err(differ("edge", &self.edge, "'edges' begins with", first));
+        }
+        let Some(first) = self.joints.first() else { return Ok(()) };
+        if let Some(from) = self.from_vertex.filter(|&from| from != first.vertex) {
+            return Err(differ("from_vertex", &from, "the first of 'joints' is at", &first.vertex));
+        }
+        match self.direction {
+            Some(Axis(direction)) if (direction - first.direction.0).norm() > SAME_DIRECTION => {
+                let of = |axis: Vector3<f64>| format!("[{}, {}, {}]", axis.x, axis.y, axis.z);
+                let [direction, joint] = [of(direction), of(first.direction.0)];
+                Err(differ("direction", &direction, "the first of 'joints' has", &joint))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+fn differ(key: &str, value: &dyn Display, other: &str, there: &dyn Display) -> String {
+    format!("'{key}' is {value}, and {other} {there}: expected the same of both")
 }
 
 fn framefab(bytes: &[u8], name: &str, opened: &Opened) -> Result<Vec<GivenStep>, PlanningError> {
