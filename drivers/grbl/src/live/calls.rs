@@ -10,13 +10,11 @@ use super::phase::Phase;
 use super::protocol::Protocol;
 use super::status::State;
 use super::wire_run::{Hold, Stage, WireRun};
-use crate::program::{digits, pin_in_lines, trimmed};
+use crate::program::{MAX_POSITION, digits, pin_in_lines, trimmed};
 use crate::settings::Homing;
 
 const HOLD: u8 = b'!';
 const RESUME: u8 = b'~';
-/// The farthest jog, units of the machine. No bender is longer.
-const MAX_JOG: f64 = 10_000.0;
 /// What the speeds of a dry run are divided by.
 const DRY_SLOWER: f64 = 4.0;
 
@@ -111,15 +109,15 @@ impl Protocol {
             Axis::Bend => (2, s.bend_axis, s.bend_units_per_deg, s.bend_rate_deg_per_min),
         };
         let by = motion.by * units;
-        if by.is_nan() || by.abs() > MAX_JOG {
-            let what = format!("a jog by {} is too far; the most is {}", motion.by, MAX_JOG / units);
+        if by.is_nan() || by.abs() > MAX_POSITION {
+            let what = format!("a jog by {} is too far; the most is {}", motion.by, MAX_POSITION / units);
             return Err(DriverError::new("jog", what, "jog in smaller parts"));
         }
         let last_digits = 10f64.powi(i32::from(s.decimals));
-        #[allow(clippy::cast_possible_truncation)] // at most 10000 with four digits
+        #[allow(clippy::cast_possible_truncation)] // at most a million with four digits
         let written = (by * last_digits).round() as i64;
         let mut end = [0.0; 3];
-        #[allow(clippy::cast_precision_loss)] // at most 10000 with four digits
+        #[allow(clippy::cast_precision_loss)] // at most a million with four digits
         let units_by = written as f64 / last_digits;
         end[axis] = units_by;
         let rate = if motion.dry { rate / DRY_SLOWER } else { rate };
