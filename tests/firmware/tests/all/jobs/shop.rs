@@ -93,15 +93,31 @@ impl Running {
         self.heard(moment);
     }
 
+    /// The same; whether it was reached, and not lost before since the machine had no processor for a second.
+    #[track_caller]
+    pub fn reached_unless_starved(&self, moment: &Receiver<()>) -> bool {
+        let starved = |ran: &Ran| ran.err.contains("error[silent]");
+        self.heard_unless(moment, starved).is_some()
+    }
+
     /// Waits for something that is reported of the job that it runs.
     #[track_caller]
     pub fn heard<T>(&self, tells: &Receiver<T>) -> T {
+        self.heard_unless(tells, |_| false).expect("it has not ended")
+    }
+
+    /// Nothing once it has ended in such a way.
+    #[track_caller]
+    fn heard_unless<T>(&self, tells: &Receiver<T>, ended_so: impl Fn(&Ran) -> bool) -> Option<T> {
         let begun = Instant::now();
         loop {
             if let Ok(told) = tells.recv_timeout(LOOK) {
-                return told;
+                return Some(told);
             }
             let ended = self.ended.try_recv();
+            if ended.as_ref().is_ok_and(&ended_so) {
+                return None;
+            }
             assert!(ended.is_err() && begun.elapsed() < DEADLINE, "the job does not get there: {ended:?}");
         }
     }
