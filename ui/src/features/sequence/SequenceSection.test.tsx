@@ -133,7 +133,7 @@ it("keeps a sequence whose new order could not be checked", async () => {
   await press("Find");
   ask.mockRejectedValue(new Error("no such machine"));
   await press("Earlier");
-  expect(at.host.textContent).toContain("The order was not checked");
+  expect(at.host.textContent).toContain("The sequence was not checked");
   expect(at.host.textContent).toContain("Largest sag");
 });
 
@@ -152,35 +152,35 @@ it("names of a wire how many edges more it has, of a rod its edge alone", async 
   expect(named).toEqual(["0", "1 +2"]);
 });
 
-it("keeps the order that is shown in a file, and checks one from a file", async () => {
+it("keeps the sequence that is shown in a file, and checks one from a file", async () => {
   at.show(<SequenceSection />);
   await press("Find");
-  pickSave.mockResolvedValue("/there/order.json");
-  await press("Save order…");
+  pickSave.mockResolvedValue("/there/sequence.json");
+  await press("Save sequence…");
   const steps = sequenceDrawn().sequence.steps;
   expect(ask).toHaveBeenLastCalledWith(
     "sequence",
     expect.objectContaining({
       order: steps.map(({ edge, from_vertex, direction }) => ({ edge, edges: [], from_vertex, direction })),
-      output: { path: "/there/order.json", force: true },
+      output: { path: "/there/sequence.json", force: true },
       format: "wirebend",
     }),
   );
-  pickFile.mockResolvedValue("/there/order.json");
+  pickFile.mockResolvedValue("/there/sequence.json");
   await press("Open…");
-  expect(ask).toHaveBeenLastCalledWith("sequence", expect.objectContaining({ file: "/there/order.json" }));
+  expect(ask).toHaveBeenLastCalledWith("sequence", expect.objectContaining({ file: "/there/sequence.json" }));
 });
 
-it("does not save an order that cannot be built", async () => {
+it("does not save a sequence that cannot be built", async () => {
   const drawn = sequenceDrawn();
   ask.mockResolvedValue({ ...drawn, sequence: { ...drawn.sequence, feasible: false } });
   at.show(<SequenceSection />);
   await press("Find");
-  await press("Save order…");
+  await press("Save sequence…");
   expect(pickSave).not.toHaveBeenCalled();
 });
 
-it("keeps what was found where a file has no order", async () => {
+it("keeps what was found where a file has no sequence", async () => {
   at.show(<SequenceSection />);
   await press("Find");
   const { found } = useSequence.getState();
@@ -188,7 +188,7 @@ it("keeps what was found where a file has no order", async () => {
   let refuse: (error: Error) => void = () => {};
   ask.mockImplementation(() => new Promise((_, reject) => (refuse = reject)));
   await press("Open…");
-  expect(at.host.textContent).toContain("checking the order…");
+  expect(at.host.textContent).toContain("checking the sequence…");
   await act(async () => refuse(new Error("readme.json: there are no steps")));
   expect(useSequence.getState().found).toBe(found);
   expect(at.host.textContent).toContain("readme.json: there are no steps");
@@ -198,9 +198,9 @@ it("asks before a file replaces an order that was changed by hand", async () => 
   at.show(<SequenceSection />);
   await press("Find");
   act(() => useSequence.setState({ changed: sequenceDrawn() }));
-  pickFile.mockResolvedValue("/there/order.json");
+  pickFile.mockResolvedValue("/there/sequence.json");
   await press("Open…");
   expect(pickFile).not.toHaveBeenCalled();
   await press("Replace and open");
-  expect(ask).toHaveBeenLastCalledWith("sequence", expect.objectContaining({ file: "/there/order.json" }));
+  expect(ask).toHaveBeenLastCalledWith("sequence", expect.objectContaining({ file: "/there/sequence.json" }));
 });

@@ -11,7 +11,7 @@ import { Line } from "../../shared/lists/Line";
 import { useWork } from "../../state/asking/work";
 import { useDesign } from "../../state/design/design";
 import { needFrameChoices, useFrame } from "../../state/frame/frame";
-import { openOrder, saveOrder } from "../../state/sequence/files";
+import { openSequence, saveSequence } from "../../state/sequence/files";
 import {
   cancelSequence,
   chooseBuilder,
@@ -45,7 +45,7 @@ export function SequenceSection() {
   const phrase = asking
     ? "looking for a sequence…"
     : checking
-      ? "checking the order…"
+      ? "checking the sequence…"
       : drawn && stale
         ? "changed since"
         : drawn
@@ -75,7 +75,7 @@ export function SequenceSection() {
             <ul>
               <Line
                 tone="error"
-                what={found ? "The order was not checked" : "The sequence was not found"}
+                what={found ? "The sequence was not checked" : "The sequence was not found"}
                 sub={problem}
               />
             </ul>
@@ -104,7 +104,7 @@ function Setup() {
   const why = !builder
     ? "The machines that build struts are not known yet."
     : checking
-      ? "The order is being checked."
+      ? "The sequence is being checked."
       : null;
   const find = () => {
     setReplacing(null);
@@ -112,7 +112,7 @@ function Setup() {
   };
   const open = () => {
     setReplacing(null);
-    void openOrder(builder?.default_material ?? null);
+    void openSequence(builder?.default_material ?? null);
   };
   return (
     <>
@@ -180,7 +180,7 @@ function Setup() {
               ? `${number(work.done, 0)} of ${number(work.of, 0)} struts in order`
               : `${sentence(work?.stage || "reading")}…`
             : checking
-              ? "Checking the order…"
+              ? "Checking the sequence…"
               : cancelled
                 ? "Cancelled."
                 : stale
@@ -241,12 +241,12 @@ function Found({ drawn }: { readonly drawn: DrawnSequence }) {
   const all = found?.sequence.layers ?? [];
   const notSaved =
     checking || asking
-      ? "An order is being looked for or checked."
+      ? "A sequence is being looked for or checked."
       : stale
         ? "Something was changed since."
         : sequence.feasible
           ? null
-          : "This order cannot be built.";
+          : "This sequence cannot be built.";
   return (
     <>
       {sequence.diagnostics.length > 0 && (
@@ -340,8 +340,8 @@ function Found({ drawn }: { readonly drawn: DrawnSequence }) {
             <Steps drawn={drawn} />
           </Part>
           <div className="row end">
-            <Button why={notSaved} onClick={() => void saveOrder()}>
-              Save order…
+            <Button why={notSaved} onClick={() => void saveSequence()}>
+              Save sequence…
             </Button>
           </div>
         </>

@@ -48,7 +48,7 @@ export function Steps({ drawn }: { readonly drawn: DrawnSequence }) {
     if (dragged.current !== null) void moveStep(dragged.current, to);
     dragged.current = null;
   };
-  const why = checking ? "The order is being checked." : null;
+  const why = checking ? "The sequence is being checked." : null;
   const move = (to: number) => void moveStep(now, Math.min(Math.max(to, 0), steps.length - 1));
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: the keys are those of the list in it, which has the focus

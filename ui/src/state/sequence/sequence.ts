@@ -127,7 +127,7 @@ export async function findSequence(material: string | null, file: string | null 
   }
   if (question !== asked) return;
   if (kept) {
-    // A file that is no order takes nothing away.
+    // A file without a sequence takes nothing away.
     useSequence.setState({ problem: answer.problem, checking: false });
     return;
   }
