@@ -120,6 +120,15 @@ it("tells how far a search is, and cancels it", async () => {
   expect(at.host.textContent).toContain("Cancelled.");
 });
 
+it("lets no step be moved while a sequence is looked for", async () => {
+  at.show(<SequenceSection />);
+  await press("Find");
+  ask.mockReturnValue(new Promise(() => {}));
+  await press("Find");
+  expect(button("Earlier")?.title).toBe("A sequence is being looked for.");
+  expect(at.host.querySelector("[role=option]")?.getAttribute("draggable")).toBe("false");
+});
+
 it("does not take a refusal for a frame that cannot be built", async () => {
   ask.mockRejectedValue(new Error("no such machine"));
   at.show(<SequenceSection />);

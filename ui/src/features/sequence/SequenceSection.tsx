@@ -22,6 +22,7 @@ import {
   shownSequence,
   slideTo,
   takeBackMoves,
+  underWay,
   useSequence,
   useSequenceStale,
 } from "../../state/sequence/sequence";
@@ -88,7 +89,8 @@ export function SequenceSection() {
 }
 
 function Setup() {
-  const { machine, epsilon, groupBy, asking, cancelled, checking, changed } = useSequence();
+  const sequence = useSequence();
+  const { machine, epsilon, groupBy, asking, cancelled, checking, changed } = sequence;
   const [replacing, setReplacing] = useState<"find" | "open" | null>(null);
   const wires = useDesign(({ state }) => state?.walks.length ?? 0);
   const builders = useFrame(({ choices }) => choices?.strut_builders ?? null);
@@ -101,11 +103,7 @@ function Setup() {
     if (machine === null && first) chooseBuilder(first.id);
   }, [builders, machine]);
   const builder = builders?.find(({ id }) => id === machine);
-  const why = !builder
-    ? "The machines that build struts are not known yet."
-    : checking
-      ? "The sequence is being checked."
-      : null;
+  const why = builder ? underWay(sequence) : "The machines that build struts are not known yet.";
   const find = () => {
     setReplacing(null);
     void findSequence(builder?.default_material ?? null);
@@ -232,21 +230,16 @@ function Setup() {
 }
 
 function Found({ drawn }: { readonly drawn: DrawnSequence }) {
-  const { at, changed, layers, checking, asking } = useSequence();
+  const store = useSequence();
+  const { at, found, changed, layers } = store;
   const { length, unit } = useLengths();
   const stale = useSequenceStale();
   const { sequence } = drawn;
   const steps = sequence.steps.length;
-  const found = useSequence((store) => store.found);
   const all = found?.sequence.layers ?? [];
   const notSaved =
-    checking || asking
-      ? "A sequence is being looked for or checked."
-      : stale
-        ? "Something was changed since."
-        : sequence.feasible
-          ? null
-          : "This sequence cannot be built.";
+    underWay(store) ??
+    (stale ? "Something was changed since." : sequence.feasible ? null : "This sequence cannot be built.");
   return (
     <>
       {sequence.diagnostics.length > 0 && (

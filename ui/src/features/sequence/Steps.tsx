@@ -5,7 +5,7 @@ import { NumberField } from "../../shared/controls/NumberField";
 import { unitName } from "../../shared/figures/format";
 import { useUnit } from "../../shared/figures/unit";
 import { Rows, type RowsHandle } from "../../shared/lists/Rows";
-import { moveStep, slideTo, stepAt, useSequence } from "../../state/sequence/sequence";
+import { moveStep, slideTo, stepAt, underWay, useSequence } from "../../state/sequence/sequence";
 import { displacementNumber } from "../frame/words";
 import { KINDS, SHORT_KINDS } from "./words";
 
@@ -14,8 +14,9 @@ const HEIGHT = 8 * ROW;
 
 /** All steps, in their order; a step is dragged to another place, or moved there with the buttons below. */
 export function Steps({ drawn }: { readonly drawn: DrawnSequence }) {
-  const { at, checking } = useSequence();
-  const changed = useSequence((sequence) => sequence.changed !== null);
+  const sequence = useSequence();
+  const { at } = sequence;
+  const changed = sequence.changed !== null;
   const unit = useUnit();
   const rows = useRef<RowsHandle>(null);
   const [over, setOver] = useState<number | null>(null);
@@ -48,7 +49,7 @@ export function Steps({ drawn }: { readonly drawn: DrawnSequence }) {
     if (dragged.current !== null) void moveStep(dragged.current, to);
     dragged.current = null;
   };
-  const why = checking ? "The sequence is being checked." : null;
+  const why = underWay(sequence);
   const move = (to: number) => void moveStep(now, Math.min(Math.max(to, 0), steps.length - 1));
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: the keys are those of the list in it, which has the focus
@@ -82,7 +83,7 @@ export function Steps({ drawn }: { readonly drawn: DrawnSequence }) {
               role="option"
               aria-selected={index === now}
               className={`build-row${named.has(index) ? " named" : ""}${over === index ? " over" : ""}`}
-              draggable={!checking}
+              draggable={why === null}
               onDragStart={() => {
                 dragged.current = index;
               }}

@@ -155,6 +155,19 @@ it("checks at once where a step is moved to: its head may stand anywhere, that o
   expect(useSequence.getState().changed).toBeNull();
 });
 
+it("moves no step while one is looked for, which that would leave without an answer", async () => {
+  await findSequence("abs");
+  let answer = (_: unknown) => {};
+  ask.mockReturnValueOnce(new Promise((resolve) => (answer = resolve)));
+  const searched = findSequence("abs");
+  await moveStep(1, 0);
+  expect(ask).toHaveBeenCalledTimes(2);
+  expect(useSequence.getState()).toMatchObject({ asking: true, checking: false });
+  answer(sequenceDrawn());
+  await searched;
+  expect(useSequence.getState()).toMatchObject({ asking: false, changed: null });
+});
+
 it("slides within its steps, plays from the start where all is built, and stops where a person slides", async () => {
   await findSequence("abs");
   slideTo(7);

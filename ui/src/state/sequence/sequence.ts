@@ -102,6 +102,12 @@ export function useSequenceStale(): boolean {
   return isSequenceStale();
 }
 
+/** What is under way, which another question would end; null where nothing is. */
+export function underWay({ asking, checking }: Pick<SequenceStore, "asking" | "checking">): string | null {
+  if (asking) return "A sequence is being looked for.";
+  return checking ? "The sequence is being checked." : null;
+}
+
 const wordsOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
 /** Of several questions only the last one's answer counts. */
@@ -109,8 +115,8 @@ let asked = 0;
 
 /** Looks for a sequence, or checks that of a file, and shows it. `material`: what the machine builds with. */
 export async function findSequence(material: string | null, file: string | null = null): Promise<void> {
-  const { machine, epsilon, groupBy, asking: under, checking } = useSequence.getState();
-  if (machine === null || under || checking) return;
+  const { machine, epsilon, groupBy } = useSequence.getState();
+  if (machine === null || underWay(useSequence.getState())) return;
   const basis = basisOf({ machine, epsilon, groupBy });
   asked += 1;
   const question = asked;
@@ -202,11 +208,12 @@ export const orderOf = (steps: DrawnSequence["sequence"]["steps"]): OrderedStep[
 
 /** Moves a step to another place, both from 0, and checks at once whether it can be built so. */
 export async function moveStep(from: number, to: number): Promise<void> {
-  const { machine, epsilon, groupBy, found, checking } = useSequence.getState();
+  const { machine, epsilon, groupBy, found } = useSequence.getState();
+  if (underWay(useSequence.getState())) return;
   const sequence = shownSequence(useSequence.getState());
   const steps = sequence?.sequence.steps ?? [];
   const moved = steps[from];
-  if (machine === null || !found || !sequence || !moved || checking || from === to || !steps[to]) return;
+  if (machine === null || !found || !sequence || !moved || from === to || !steps[to]) return;
   const others = steps.filter((_, index) => index !== from);
   const order = orderOf([...others.slice(0, to), moved, ...others.slice(to)]).map(
     // The head of the moved step stands as it can; that of the others as it does, where it still can.
