@@ -13,7 +13,7 @@ import { useDesign } from "../../state/design/design";
 import { useFrame } from "../../state/frame/frame";
 import { smallFrame } from "../../state/frame/testing";
 import { forgetSequence, useSequence } from "../../state/sequence/sequence";
-import { sequenceDrawn } from "../../state/sequence/testing";
+import { sequenceChecked, sequenceDrawn } from "../../state/sequence/testing";
 import { designState } from "../../state/testing";
 import { useUi } from "../../state/window/ui";
 import { Timeline } from "../timeline/Timeline";
@@ -178,6 +178,17 @@ it("keeps the sequence that is shown in a file, and checks one from a file", asy
   pickFile.mockResolvedValue("/there/sequence.json");
   await press("Open…");
   expect(ask).toHaveBeenLastCalledWith("sequence", expect.objectContaining({ file: "/there/sequence.json" }));
+});
+
+it("says of each step of a file whether the head can stand: in how many directions was not counted", async () => {
+  at.show(<SequenceSection />);
+  const free = () => [...at.host.querySelectorAll("[role=option]")].map((row) => row.children[3]?.textContent);
+  await press("Find");
+  expect(free()).toEqual(["2", "2"]);
+  pickFile.mockResolvedValue("/there/sequence.json");
+  ask.mockResolvedValue(sequenceChecked());
+  await press("Open…");
+  expect(free()).toEqual(["yes", "yes"]);
 });
 
 it("does not save a sequence that cannot be built", async () => {

@@ -16,7 +16,8 @@ const HEIGHT = 8 * ROW;
 export function Steps({ drawn }: { readonly drawn: DrawnSequence }) {
   const sequence = useSequence();
   const { at } = sequence;
-  const changed = sequence.changed !== null;
+  // Of a sequence that was checked only the directions that it gives were tried.
+  const checked = drawn.sequence.min_free_directions === null;
   const unit = useUnit();
   const rows = useRef<RowsHandle>(null);
   const [over, setOver] = useState<number | null>(null);
@@ -108,12 +109,12 @@ export function Steps({ drawn }: { readonly drawn: DrawnSequence }) {
               </span>
               <span
                 title={
-                  changed
-                    ? "Whether the head can stand; how else it could is not counted in an order of your own"
+                  checked
+                    ? "Whether the head can stand; how else it could is not counted in a sequence that is checked"
                     : undefined
                 }
               >
-                {changed ? (step.free_directions > 0 ? "yes" : "no") : step.free_directions}
+                {checked ? (step.free_directions > 0 ? "yes" : "no") : step.free_directions}
               </span>
               <span>{sag == null ? "–" : displacementNumber(sag, unit)}</span>
             </div>

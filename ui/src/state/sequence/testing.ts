@@ -41,3 +41,11 @@ export const sequenceDrawn = (edges: readonly number[] = [0, 1]): DrawnSequence 
   moves: edges.map((edge) => ({ from_mm: edge === 0 ? [0, 0, 0] : [100, 0, 0], to_mm: [0, 0, 100], free: [0, 1] })),
   stopped: false,
 });
+
+/** The same as it is answered where it was given, with a direction for each step. */
+export function sequenceChecked(edges?: readonly number[]): DrawnSequence {
+  const { sequence, ...drawn } = sequenceDrawn(edges);
+  const steps = sequence.steps.map((step) => ({ ...step, free_directions: 1 }));
+  const unknown = { travel_mm: null, min_free_directions: null, strategy: null, time_s: null };
+  return { ...drawn, sequence: { ...sequence, ...unknown, steps } };
+}
