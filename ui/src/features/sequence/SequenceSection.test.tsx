@@ -214,6 +214,16 @@ it("keeps what was found where a file has no sequence", async () => {
   expect(at.host.textContent).toContain("readme.json: there are no steps");
 });
 
+it("says of a file that could not be read, before anything is found, that its sequence was not checked", async () => {
+  at.show(<SequenceSection />);
+  pickFile.mockResolvedValue("/there/readme.json");
+  ask.mockRejectedValue(new Error("readme.json: there are no steps"));
+  await press("Open…");
+  expect(at.host.querySelector("h2")?.textContent).toContain("not checked");
+  expect(at.host.textContent).toContain("The sequence was not checked");
+  expect(at.host.textContent).not.toContain("not found");
+});
+
 it("asks before a file replaces an order that was changed by hand", async () => {
   at.show(<SequenceSection />);
   await press("Find");

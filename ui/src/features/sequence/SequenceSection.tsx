@@ -39,10 +39,11 @@ import "./sequence.css";
 
 /** The order in which a machine builds the struts. */
 export function SequenceSection() {
-  const { found, changed, asking, checking, problem } = useSequence();
+  const { found, changed, asking, checking, problem, tried } = useSequence();
   const stale = useSequenceStale();
   const empty = useDesign((design) => design.edges.size === 0);
   const drawn = shownSequence({ found, changed });
+  const failed = tried === "check" ? "not checked" : "not found";
   const phrase = asking
     ? "looking for a sequence…"
     : checking
@@ -52,7 +53,7 @@ export function SequenceSection() {
         : drawn
           ? phraseOf(drawn)
           : problem
-            ? "not found"
+            ? failed
             : "not looked for yet";
   const tone = asking
     ? null
@@ -74,11 +75,7 @@ export function SequenceSection() {
           <Setup />
           {problem && (
             <ul>
-              <Line
-                tone="error"
-                what={found ? "The sequence was not checked" : "The sequence was not found"}
-                sub={problem}
-              />
+              <Line tone="error" what={`The sequence was ${failed}`} sub={problem} />
             </ul>
           )}
           {drawn && <Found drawn={drawn} />}

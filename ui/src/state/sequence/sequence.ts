@@ -29,8 +29,9 @@ interface SequenceStore {
   readonly checking: boolean;
   /** A person has ended the last search: what was found before is shown on. */
   readonly cancelled: boolean;
-  /** Why there is no answer. */
+  /** Why there is no answer, and to what. */
   readonly problem: string | null;
+  readonly tried: "search" | "check";
   /** Whether the view shows it. */
   readonly shown: boolean;
   /** How many steps are built, with the part of the one that is under way. */
@@ -48,6 +49,7 @@ const NONE = {
   checking: false,
   cancelled: false,
   problem: null,
+  tried: "search",
   shown: false,
   at: 0,
   playing: false,
@@ -134,10 +136,19 @@ export async function findSequence(material: string | null, file: string | null 
   if (question !== asked) return;
   if (kept) {
     // A file without a sequence takes nothing away.
-    useSequence.setState({ problem: answer.problem, checking: false });
+    useSequence.setState({ problem: answer.problem, tried: "check", checking: false });
     return;
   }
-  useSequence.setState({ ...answer, changed: null, basis, asking: false, checking: false, at: 0, playing: false });
+  useSequence.setState({
+    ...answer,
+    tried: "search",
+    changed: null,
+    basis,
+    asking: false,
+    checking: false,
+    at: 0,
+    playing: false,
+  });
   const steps = answer.found?.sequence.steps.length ?? 0;
   if (steps > 0) goToStep(steps);
   else hideSequence();
@@ -228,7 +239,7 @@ export async function moveStep(from: number, to: number): Promise<void> {
     const changed = await asking("sequence", { machine, material, epsilon_mm: epsilon, group_by: groupBy, order });
     answer = { changed, problem: null };
   } catch (error) {
-    answer = { problem: wordsOf(error) };
+    answer = { problem: wordsOf(error), tried: "check" };
   }
   if (question !== asked) return;
   useSequence.setState({ ...answer, checking: false });
