@@ -9,10 +9,11 @@ vi.mock("../../platform", () => ({
 }));
 
 import { place } from "../../shared/testing";
+import { useProblems } from "../../state/asking/problems";
 import { useDesign } from "../../state/design/design";
 import { useFrame } from "../../state/frame/frame";
 import { smallFrame } from "../../state/frame/testing";
-import { forgetSequence, useSequence } from "../../state/sequence/sequence";
+import { chooseBuilder, forgetSequence, moveStep, useSequence } from "../../state/sequence/sequence";
 import { sequenceChecked, sequenceDrawn } from "../../state/sequence/testing";
 import { designState } from "../../state/testing";
 import { useUi } from "../../state/window/ui";
@@ -25,7 +26,8 @@ beforeEach(() => {
   for (const mock of [ask, pickFile, pickSave]) mock.mockReset();
   ask.mockResolvedValue(sequenceDrawn());
   forgetSequence();
-  useSequence.setState({ machine: null, layers: false });
+  useSequence.setState({ machine: null, layers: false, saving: false });
+  useProblems.setState({ problems: [] });
   useFrame.setState({
     choices: { errors: [], strut_builders: [{ id: "builder", name: "A builder", default_material: "abs" }] },
   });
@@ -224,13 +226,100 @@ it("says of a file that could not be read, before anything is found, that its se
   expect(at.host.textContent).not.toContain("not found");
 });
 
-it("asks before a file replaces an order that was changed by hand", async () => {
+/** A dialog of files, which answers when the test says so: the window goes on behind it. */
+function dialogOf(pick: typeof pickFile): (path: string) => Promise<void> {
+  let choose = (_: string) => {};
+  pick.mockReturnValue(new Promise((resolve) => (choose = resolve)));
+  return (path) => act(async () => choose(path));
+}
+const said = () => useProblems.getState().problems.map(({ message }) => message);
+
+it("asks before a file replaces an order that was changed by hand, also behind the dialog of files", async () => {
+  HTMLDialogElement.prototype.showModal ??= () => {};
   at.show(<SequenceSection />);
   await press("Find");
-  act(() => useSequence.setState({ changed: sequenceDrawn() }));
-  pickFile.mockResolvedValue("/there/sequence.json");
+  const choose = dialogOf(pickFile);
   await press("Open…");
-  expect(pickFile).not.toHaveBeenCalled();
+  await act(() => moveStep(1, 0));
+  const { changed } = useSequence.getState();
+  const asked = ask.mock.calls.length;
+  // The question is there whatever became of the section.
+  act(() => useUi.setState({ open: [] }));
+  await choose("/there/sequence.json");
+  expect(at.host.querySelector("dialog")?.textContent).toContain("You changed the order by hand.");
+  expect([ask.mock.calls.length, useSequence.getState().changed]).toEqual([asked, changed]);
   await press("Replace and open");
   expect(ask).toHaveBeenLastCalledWith("sequence", expect.objectContaining({ file: "/there/sequence.json" }));
+  expect(at.host.querySelector("dialog")).toBeNull();
+});
+
+it("checks a file with the machine that is chosen by then, and its material", async () => {
+  const other = { id: "other", name: "Another", default_material: "petg" };
+  useFrame.setState(({ choices }) => ({
+    choices: choices && { ...choices, strut_builders: [...choices.strut_builders, other] },
+  }));
+  at.show(<SequenceSection />);
+  const choose = dialogOf(pickFile);
+  await press("Open…");
+  act(() => chooseBuilder("other"));
+  await choose("/there/sequence.json");
+  expect(ask).toHaveBeenLastCalledWith("sequence", expect.objectContaining({ machine: "other", material: "petg" }));
+});
+
+it("says that a file was not opened, or written, since a search was begun behind the dialog, which goes on", async () => {
+  at.show(<SequenceSection />);
+  await press("Find");
+  const [open, save] = [dialogOf(pickFile), dialogOf(pickSave)];
+  await press("Open…");
+  await press("Save sequence…");
+  ask.mockReturnValue(new Promise(() => {}));
+  await press("Find");
+  const asked = ask.mock.calls.length;
+  await open("/there/sequence.json");
+  await save("/there/other.json");
+  expect(ask).toHaveBeenCalledTimes(asked);
+  expect(useSequence.getState().asking).toBe(true);
+  expect(said()).toEqual([
+    "sequence.json was not opened. A sequence is being looked for. Open it after that.",
+    "The sequence was not saved. A sequence is being looked for.",
+  ]);
+});
+
+it("writes no sequence that was changed, or forgotten, behind the dialog, and says so", async () => {
+  at.show(<SequenceSection />);
+  await press("Find");
+  const asked = ask.mock.calls.length;
+  let choose = dialogOf(pickSave);
+  await press("Save sequence…");
+  act(() => chooseBuilder("other"));
+  await choose("/there/sequence.json");
+  act(() => chooseBuilder("builder"));
+  choose = dialogOf(pickSave);
+  await press("Save sequence…");
+  act(forgetSequence);
+  await choose("/there/sequence.json");
+  expect(ask).toHaveBeenCalledTimes(asked);
+  expect(said()).toEqual([
+    "The sequence was not saved. Something was changed since.",
+    "The sequence was not saved. It is not there any more.",
+  ]);
+});
+
+it("shows that it saves, and asks for nothing meanwhile that would end that", async () => {
+  at.show(<SequenceSection />);
+  await press("Find");
+  pickSave.mockResolvedValue("/there/sequence.json");
+  let answer = (_: unknown) => {};
+  ask.mockReturnValueOnce(new Promise((resolve) => (answer = resolve)));
+  await press("Save sequence…");
+  expect(at.host.querySelector("[role=status]")?.textContent).toBe("Saving the sequence…");
+  const asked = ask.mock.calls.length;
+  for (const name of ["Save sequence…", "Find", "Open…", "Earlier"]) {
+    expect([name, button(name)?.title]).toEqual([name, "The sequence is being saved."]);
+    await press(name);
+  }
+  expect([ask.mock.calls.length, pickSave.mock.calls.length]).toEqual([asked, 1]);
+  await act(async () => answer(sequenceDrawn()));
+  expect(button("Find")?.title).toBe("");
+  expect(said()).toEqual(["The sequence is in /there/sequence.json."]);
 });

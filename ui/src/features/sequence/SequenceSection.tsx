@@ -11,7 +11,7 @@ import { Line } from "../../shared/lists/Line";
 import { useWork } from "../../state/asking/work";
 import { useDesign } from "../../state/design/design";
 import { needFrameChoices, useFrame } from "../../state/frame/frame";
-import { openSequence, saveSequence } from "../../state/sequence/files";
+import { pickSequence, saveSequence, whyNotSaved } from "../../state/sequence/files";
 import {
   cancelSequence,
   chooseBuilder,
@@ -37,8 +37,21 @@ import { phraseOf, STRATEGIES } from "./words";
 import "../frame/frame.css";
 import "./sequence.css";
 
+/** What the chosen machine builds with; null: the material of the design. */
+function materialNow(): string | null {
+  const { machine } = useSequence.getState();
+  const { choices } = useFrame.getState();
+  return choices?.strut_builders.find(({ id }) => id === machine)?.default_material ?? null;
+}
+
+/** What takes the place of an order that was changed by hand: the sequence of a file, or without one that of a search. */
+interface Replacing {
+  readonly file: string | null;
+}
+
 /** The order in which a machine builds the struts. */
 export function SequenceSection() {
+  const [replacing, setReplacing] = useState<Replacing | null>(null);
   const { found, changed, asking, checking, problem, tried } = useSequence();
   const stale = useSequenceStale();
   const empty = useDesign((design) => design.edges.size === 0);
@@ -66,29 +79,48 @@ export function SequenceSection() {
       : problem
         ? "error"
         : null;
+  const put = (by: Replacing) => {
+    setReplacing(null);
+    void findSequence(materialNow(), by.file);
+  };
+  const ask = (by: Replacing) => (useSequence.getState().changed ? setReplacing(by) : put(by));
   return (
-    <Section id="sequence" title="Sequence" phrase={phrase} tone={tone}>
-      {empty ? (
-        <p className="muted">Draw or open a design. Its edges are then struts that a machine builds one by one.</p>
-      ) : (
-        <div className="stack">
-          <Setup />
-          {problem && (
-            <ul>
-              <Line tone="error" what={`The sequence was ${failed}`} sub={problem} />
-            </ul>
-          )}
-          {drawn && <Found drawn={drawn} />}
-        </div>
+    <>
+      <Section id="sequence" title="Sequence" phrase={phrase} tone={tone}>
+        {empty ? (
+          <p className="muted">Draw or open a design. Its edges are then struts that a machine builds one by one.</p>
+        ) : (
+          <div className="stack">
+            <Setup onAsk={ask} />
+            {problem && (
+              <ul>
+                <Line tone="error" what={`The sequence was ${failed}`} sub={problem} />
+              </ul>
+            )}
+            {drawn && <Found drawn={drawn} />}
+          </div>
+        )}
+      </Section>
+      {replacing && (
+        <Confirm
+          title="Replace your order?"
+          label={replacing.file === null ? "Replace and find" : "Replace and open"}
+          onConfirm={() => put(replacing)}
+          onClose={() => setReplacing(null)}
+        >
+          <p>
+            You changed the order by hand. The order {replacing.file === null ? "that is found" : "of the file"}{" "}
+            replaces it. It cannot be undone.
+          </p>
+        </Confirm>
       )}
-    </Section>
+    </>
   );
 }
 
-function Setup() {
+function Setup({ onAsk }: { readonly onAsk: (by: Replacing) => void }) {
   const sequence = useSequence();
-  const { machine, epsilon, groupBy, asking, cancelled, checking, changed } = sequence;
-  const [replacing, setReplacing] = useState<"find" | "open" | null>(null);
+  const { machine, epsilon, groupBy, asking, cancelled, checking, saving } = sequence;
   const wires = useDesign(({ state }) => state?.walks.length ?? 0);
   const builders = useFrame(({ choices }) => choices?.strut_builders ?? null);
   const stale = useSequenceStale();
@@ -101,13 +133,9 @@ function Setup() {
   }, [builders, machine]);
   const builder = builders?.find(({ id }) => id === machine);
   const why = builder ? underWay(sequence) : "The machines that build struts are not known yet.";
-  const find = () => {
-    setReplacing(null);
-    void findSequence(builder?.default_material ?? null);
-  };
-  const open = () => {
-    setReplacing(null);
-    void openSequence(builder?.default_material ?? null);
+  const open = async () => {
+    const file = await pickSequence();
+    if (file !== null) onAsk({ file });
   };
   return (
     <>
@@ -176,13 +204,15 @@ function Setup() {
               : `${sentence(work?.stage || "reading")}…`
             : checking
               ? "Checking the sequence…"
-              : cancelled
-                ? "Cancelled."
-                : stale
-                  ? "Something was changed since."
-                  : supports
-                    ? ""
-                    : "Mark the vertices on the ground as supports, under Edit."}
+              : saving
+                ? "Saving the sequence…"
+                : cancelled
+                  ? "Cancelled."
+                  : stale
+                    ? "Something was changed since."
+                    : supports
+                      ? ""
+                      : "Mark the vertices on the ground as supports, under Edit."}
         </span>
         {asking ? (
           <Button className="frame-go" onClick={cancelSequence}>
@@ -190,36 +220,22 @@ function Setup() {
           </Button>
         ) : (
           <>
-            <Button why={why} onClick={() => (changed ? setReplacing("open") : open())}>
+            <Button why={why} onClick={() => void open()}>
               Open…
             </Button>
-            <Button
-              kind="primary"
-              className="frame-go"
-              why={why}
-              onClick={() => (changed ? setReplacing("find") : find())}
-            >
+            <Button kind="primary" className="frame-go" why={why} onClick={() => onAsk({ file: null })}>
               Find
             </Button>
           </>
         )}
       </div>
-      {replacing && (
-        <Confirm
-          title="Replace your order?"
-          label={`Replace and ${replacing}`}
-          onConfirm={replacing === "find" ? find : open}
-          onClose={() => setReplacing(null)}
-        >
-          <p>
-            You changed the order by hand. The order {replacing === "find" ? "that is found" : "of the file"} replaces
-            it. It cannot be undone.
-          </p>
-        </Confirm>
-      )}
       <div className="frame-bar">
-        {(asking || checking) && (
-          <Bar done={asking ? (work?.done ?? 0) : 0} of={asking ? (work?.of ?? 0) : 0} label="Looking for a sequence" />
+        {(asking || checking || saving) && (
+          <Bar
+            done={asking ? (work?.done ?? 0) : 0}
+            of={asking ? (work?.of ?? 0) : 0}
+            label={asking ? "Looking for a sequence" : checking ? "Checking the sequence" : "Saving the sequence"}
+          />
         )}
       </div>
     </>
@@ -227,16 +243,13 @@ function Setup() {
 }
 
 function Found({ drawn }: { readonly drawn: DrawnSequence }) {
-  const store = useSequence();
-  const { at, found, changed, layers } = store;
+  const { at, found, changed, layers } = useSequence();
   const { length, unit } = useLengths();
-  const stale = useSequenceStale();
+  // What the save asks for is looked at with it.
+  useSequenceStale();
   const { sequence } = drawn;
   const steps = sequence.steps.length;
   const all = found?.sequence.layers ?? [];
-  const notSaved =
-    underWay(store) ??
-    (stale ? "Something was changed since." : sequence.feasible ? null : "This sequence cannot be built.");
   return (
     <>
       {sequence.diagnostics.length > 0 && (
@@ -330,7 +343,7 @@ function Found({ drawn }: { readonly drawn: DrawnSequence }) {
             <Steps drawn={drawn} />
           </Part>
           <div className="row end">
-            <Button why={notSaved} onClick={() => void saveSequence()}>
+            <Button why={whyNotSaved()} onClick={() => void saveSequence()}>
               Save sequence…
             </Button>
           </div>

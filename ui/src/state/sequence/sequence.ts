@@ -27,6 +27,8 @@ interface SequenceStore {
   readonly basis: Basis | null;
   readonly asking: boolean;
   readonly checking: boolean;
+  /** A file is being written, of what was shown then, whatever is by now. */
+  readonly saving: boolean;
   /** A person has ended the last search: what was found before is shown on. */
   readonly cancelled: boolean;
   /** Why there is no answer, and to what. */
@@ -60,6 +62,7 @@ export const useSequence = create<SequenceStore>()(() => ({
   epsilon: null,
   groupBy: "edge",
   layers: false,
+  saving: false,
   ...NONE,
 }));
 
@@ -105,9 +108,14 @@ export function useSequenceStale(): boolean {
 }
 
 /** What is under way, which another question would end; null where nothing is. */
-export function underWay({ asking, checking }: Pick<SequenceStore, "asking" | "checking">): string | null {
+export function underWay({
+  asking,
+  checking,
+  saving,
+}: Pick<SequenceStore, "asking" | "checking" | "saving">): string | null {
   if (asking) return "A sequence is being looked for.";
-  return checking ? "The sequence is being checked." : null;
+  if (checking) return "The sequence is being checked.";
+  return saving ? "The sequence is being saved." : null;
 }
 
 const wordsOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
