@@ -67,6 +67,32 @@ it("keeps the readings that were written into the file of a row in which one is 
   expect(shown()).toEqual([37.9, 38.4]);
 });
 
+it("is read once where it is opened or calibrating begins again, and nothing is said where it is gone by then", async () => {
+  const reads = () => asked("calibrate-sheet").length;
+  let before = reads();
+  await openSheet("/c/sheet.csv", "measure");
+  await new Promise((done) => setTimeout(done));
+  expect(reads()).toBe(before + 1);
+  closeCalibration();
+  before = reads();
+  openCalibration();
+  await new Promise((done) => setTimeout(done));
+  expect([reads(), useCalibration.getState().step]).toEqual([before + 1, "measure"]);
+  closeCalibration();
+  const problems = new Set<string | null>();
+  const end = useCalibration.subscribe(({ problem }) => problems.add(problem));
+  ask.mockRejectedValue(new Error("no such file"));
+  // In this window, and in another one that has been closed since.
+  for (const known of [useCalibration.getState(), useCalibration.getInitialState()]) {
+    useCalibration.setState(known);
+    openCalibration();
+    await new Promise((done) => setTimeout(done));
+    expect(useCalibration.getState()).toMatchObject({ step: "coupons", sheet: null });
+  }
+  end();
+  expect([...problems]).toEqual([null]);
+});
+
 it("leaves a sheet as it was that cannot be read just now, with the reason, and asks for nothing once it is closed", async () => {
   ask.mockRejectedValueOnce(new Error("the file is open elsewhere"));
   window.dispatchEvent(new Event("focus"));

@@ -143,7 +143,7 @@ export function openCalibration(): void {
   }
   const sheet = stored(KEY);
   // A sheet that is not there any more is no problem of today.
-  if (sheet) void openSheet(sheet, "measure").then((done) => !done && useCalibration.setState({ problem: null }));
+  if (sheet) void working(() => takeUp(sheet, "measure", "coupons").catch(() => {}));
 }
 
 /** The same sheet as it is now, after all that is being entered: others may have written into it. None where it is gone. */
@@ -162,7 +162,7 @@ function readAgain(): Promise<boolean> {
 let unreadable: string | null = null;
 
 /**
- * The same while the dialog is open, such as when a person comes back from a spreadsheet. What was said before stays; a sheet that cannot be
+ * The same while the dialog is open, when a person comes to its table, or back from a spreadsheet. What was said before stays; a sheet that cannot be
  * read just now stays as it was.
  */
 export function refreshSheet(): Promise<void> {
@@ -190,6 +190,7 @@ export function closeCalibration(): void {
 
 export function showStep(step: CalibrationStep): void {
   useCalibration.setState({ step, problem: null, occupied: null, unbent: [] });
+  if (step === "measure") void refreshSheet();
 }
 
 /** The readings of the sheet, and how they are fitted, as one text. */
@@ -257,13 +258,15 @@ export function makeCoupons(request: CouponRequest, force: boolean): Promise<boo
 /** Opens a sheet that is there. */
 export function openSheet(sheet: string, step: CalibrationStep): Promise<boolean> {
   const from = useCalibration.getState().step;
-  return working(async () => {
-    await read(sheet);
-    store(KEY, sheet);
-    // Whoever has gone elsewhere meanwhile stays there.
-    const { step: now } = useCalibration.getState();
-    useCalibration.setState({ made: null, madeFor: null, occupied: null, step: now === from ? step : now });
-  });
+  return working(() => takeUp(sheet, step, from));
+}
+
+/** Reads a sheet and leads to a step. Whoever has gone elsewhere than `from` meanwhile stays there. */
+async function takeUp(sheet: string, step: CalibrationStep, from: CalibrationStep): Promise<void> {
+  await read(sheet);
+  store(KEY, sheet);
+  const { step: now } = useCalibration.getState();
+  useCalibration.setState({ made: null, madeFor: null, occupied: null, step: now === from ? step : now });
 }
 
 /** Enters a reading, or takes it out, and fits anew. */
