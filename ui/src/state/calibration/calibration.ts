@@ -237,10 +237,14 @@ async function readingsIn(folder: string): Promise<number | null> {
   }
 }
 
-/** Writes coupons as jobs and a sheet into a folder. `force`: those that are there are replaced, with the readings of their sheet. */
+/**
+ * Writes coupons as jobs and a sheet into a folder. `force`: those that are there are replaced, with the readings of their sheet. What is
+ * known of that folder stays until it is known anew: who is to say whether they are replaced is looking at it.
+ */
 export function makeCoupons(request: CouponRequest, force: boolean): Promise<boolean> {
   return working(async () => {
-    useCalibration.setState({ occupied: null });
+    const { occupied } = useCalibration.getState();
+    if (occupied?.folder !== request.folder) useCalibration.setState({ occupied: null });
     let made: CalibrateNewResponse;
     try {
       made = await platform.ask("calibrate-new", { ...request, angles_deg: [...request.angles_deg], force });
@@ -249,7 +253,7 @@ export function makeCoupons(request: CouponRequest, force: boolean): Promise<boo
       useCalibration.setState({ occupied: { folder: request.folder, readings: await readingsIn(request.folder) } });
       return;
     }
-    useCalibration.setState({ made, madeFor: request });
+    useCalibration.setState({ made, madeFor: request, occupied: null });
     store(KEY, made.sheet);
     await read(made.sheet);
   });

@@ -129,6 +129,40 @@ it("says how many readings are lost with coupons that are replaced, and asks bef
   expect(text()).not.toContain("already");
 });
 
+it("keeps the focus on what asks to replace coupons until they are, and the offer where that is refused", async () => {
+  HTMLDialogElement.prototype.showModal ??= () => {};
+  const answer = ask.getMockImplementation();
+  let readings: (number | null)[] = [58];
+  let refuse: Error | null = null;
+  ask.mockImplementation((name: string, request: { force?: boolean }) => {
+    if (name === "calibrate-new" && refuse) throw refuse;
+    if (name === "calibrate-new" && !request.force) throw new Refused({ code: "exists" });
+    return name === "calibrate-sheet" ? { rows: [{ readings }] } : answer?.(name, request);
+  });
+  at.show(<Coupons />);
+  await press("Make coupons in a folder…");
+  const alert = at.host.querySelector("[role=alert]");
+  const offered = alert?.firstElementChild;
+  const replace = [...at.host.querySelectorAll("button")].find(({ textContent }) => textContent === "Replace…");
+  replace?.focus();
+  await press("Replace…");
+  expect(at.host.querySelector("dialog")).not.toBeNull();
+  await press("Cancel");
+  expect(document.activeElement).toBe(replace);
+  // What was not taken away is not announced again.
+  expect(alert?.firstElementChild).toBe(offered);
+  refuse = new Error("the disk is full");
+  await press("Replace…");
+  expect(at.host.querySelector("dialog")).toBeNull();
+  expect(useCalibration.getState().problem).toBe("the disk is full");
+  expect(document.activeElement).toBe(replace);
+  refuse = null;
+  readings = [];
+  await press("Replace…");
+  expect(text()).not.toContain("already");
+  expect(document.activeElement?.textContent).toBe("Make coupons in a folder…");
+});
+
 it("asks before readings are deleted that came into the sheet since it was looked at", async () => {
   HTMLDialogElement.prototype.showModal ??= () => {};
   const answer = ask.getMockImplementation();

@@ -1,4 +1,4 @@
-import { useState } from "react";
+import { useRef, useState } from "react";
 import { platform } from "../../../platform";
 import { Button } from "../../../shared/controls/Button";
 import { Field } from "../../../shared/controls/Field";
@@ -85,6 +85,8 @@ export function Coupons() {
   const [repeats, setRepeats] = useState(madeFor?.repeats ?? 2);
   const [paper, setPaper] = useState(madeFor?.paper ?? "a4");
   const [replacing, setReplacing] = useState(false);
+  const makes = useRef<HTMLButtonElement>(null);
+  const offer = useRef<HTMLDivElement>(null);
   const { long } = useLengths();
   const bends = machines?.find(({ id }) => id === machine)?.bend_deg ?? null;
   const ladder = parseAngles(angles);
@@ -106,18 +108,21 @@ export function Coupons() {
     const folder = await told(platform.pickSave("calibration", FOLDER));
     if (folder) await makeCoupons({ ...chosen, folder }, false);
   };
-  const replace = () => {
+  const replace = async () => {
     setReplacing(false);
-    if (occupied) void makeCoupons({ ...chosen, folder: occupied.folder }, true);
+    if (!occupied || !(await makeCoupons({ ...chosen, folder: occupied.folder }, true))) return;
+    // The button that had the focus goes with what it offered.
+    const { activeElement: focused, body } = document;
+    if (!focused || focused === body || offer.current?.contains(focused)) makes.current?.focus();
   };
   const lost = occupied && lostReadings(occupied.readings);
   // Readings may have come into the sheet since it was looked at.
   const askToReplace = async () => {
     if (!occupied) return;
-    await makeCoupons({ ...chosen, folder: occupied.folder }, false);
+    if (!(await makeCoupons({ ...chosen, folder: occupied.folder }, false))) return;
     const now = useCalibration.getState().occupied;
     if (now && lostReadings(now.readings)) setReplacing(true);
-    else if (now) replace();
+    else if (now) await replace();
   };
   const open = async () => {
     const picked = await told(platform.pickFile([SHEETS]));
@@ -183,14 +188,14 @@ export function Coupons() {
           )}
         </Field>
         <div className="row wrap">
-          <Button kind="primary" icon="folder" why={why} onClick={() => void make()}>
+          <Button ref={makes} kind="primary" icon="folder" why={why} onClick={() => void make()}>
             Make coupons in a folder…
           </Button>
           <Button icon="file" onClick={() => void open()}>
             Open a sheet…
           </Button>
         </div>
-        <div role="alert">
+        <div ref={offer} role="alert">
           {occupied !== null && (
             <ul>
               <Line
@@ -210,7 +215,7 @@ export function Coupons() {
           <Confirm
             title={`Replace the coupons in ${baseName(occupied.folder)}?`}
             label="Replace and delete"
-            onConfirm={replace}
+            onConfirm={() => void replace()}
             onClose={() => setReplacing(false)}
           >
             <p>This deletes {lost}. It cannot be undone.</p>
