@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 import { act, useState } from "react";
-import { beforeEach, describe, expect, it } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { DisplayUnit } from "../figures/format";
 import { ShownUnit } from "../figures/unit";
 import { place } from "../testing";
@@ -143,6 +143,25 @@ describe("a field for a length", () => {
     left(field);
     act(() => void document.dispatchEvent(new PointerEvent("pointerdown", { bubbles: true })));
     expect(said()).toBeUndefined();
+  });
+
+  it("keeps what cannot be taken while another window has the focus, and takes what can", () => {
+    const said = () => at.host.querySelector("[role=alert]")?.textContent;
+    const field = show({ min: 0, max: 100 });
+    const hasFocus = vi.spyOn(document, "hasFocus").mockReturnValue(false);
+    const left = () => act(() => void field.dispatchEvent(new FocusEvent("focusout", { bubbles: true })));
+    type(field, "200", "Shift");
+    left();
+    hasFocus.mockReturnValue(true);
+    act(() => void field.dispatchEvent(new FocusEvent("focusin", { bubbles: true })));
+    expect([field.value, said()]).toEqual(["200", "Expected from 0 mm to 100 mm"]);
+    left();
+    expect([field.value, said()]).toEqual(["10.0", "“200” was not taken: expected from 0 mm to 100 mm"]);
+    hasFocus.mockReturnValue(false);
+    type(field, "20", "Shift");
+    left();
+    expect(committed).toEqual([20]);
+    hasFocus.mockRestore();
   });
 
   it("takes back what was typed with Escape", () => {

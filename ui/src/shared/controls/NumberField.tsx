@@ -250,6 +250,8 @@ export function NumberField({
     stepped.current = [];
   };
   const leave = ({ relatedTarget }: FocusEvent) => {
+    // Another window has the focus: coming back would clear what is said of a value before it is read. It is still there to be corrected.
+    if (wrong && !document.hasFocus()) return;
     if (isInMenu(relatedTarget)) setInMenu(true);
     else left();
   };
