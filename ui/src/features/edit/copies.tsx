@@ -115,7 +115,8 @@ export function ScaleForm() {
             id={id}
             label="Size"
             value={now && now.size * factor}
-            min={0.001}
+            positive
+            min={1e-3}
             onCommit={(mm) => now && setFactor(mm / now.size)}
             onEnter={(mm) => now && make(mm / now.size)}
             why={now ? null : "The selection has no size"}

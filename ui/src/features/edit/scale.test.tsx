@@ -19,6 +19,25 @@ beforeEach(() => {
 const press = (on: Element, init: KeyboardEventInit) =>
   act(() => void on.dispatchEvent(new KeyboardEvent("keydown", { bubbles: true, cancelable: true, ...init })));
 
+it("a size and a factor of nothing are refused in the same words", () => {
+  useDesign.setState({
+    vertices: new Map([
+      [3, { id: 3, at: [0, 0, 1], support: false }],
+      [5, { id: 5, at: [2, 1, 1], support: false }],
+    ]),
+  });
+  act(() => select([3, 5]));
+  at.show(<ScaleForm />);
+  for (const field of at.host.querySelectorAll<HTMLInputElement>("input[inputmode=decimal]")) {
+    act(() => {
+      Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set?.call(field, "0");
+      field.dispatchEvent(new Event("input", { bubbles: true }));
+    });
+  }
+  const said = [...at.host.querySelectorAll("[role=alert]")].map(({ textContent }) => textContent);
+  expect(said).toEqual(["Expected more than 0 mm", "Expected more than 0, at most 10\u202f000"]);
+});
+
 it("the selection is scaled by Enter, to the size that was just typed along its largest side", async () => {
   useDesign.setState({
     vertices: new Map([

@@ -42,6 +42,16 @@ describe("how curves are cut", () => {
     expect(changed).toHaveBeenCalledWith({ tolerance: 0.1, limited: false, shortest: 27.3 });
   });
 
+  it("takes any tolerance that is more than nothing, and says so", () => {
+    at.show(<CurveFields cutting={cuttingFor(look)} look={look} pending={false} onChange={() => {}} />);
+    act(() => {
+      const field = at.host.querySelector("input");
+      Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set?.call(field, "0");
+      field?.dispatchEvent(new Event("input", { bubbles: true }));
+    });
+    expect(at.host.querySelector("[role=alert]")?.textContent).toBe("Expected more than 0 mm, at most 100 mm");
+  });
+
   it("names the bend radius of the machine beside a shortest edge of one\u2019s own, too", () => {
     const cutting = { tolerance: 0.1, limited: true, shortest: 40 };
     at.show(<CurveFields cutting={cutting} look={look} pending={false} onChange={() => {}} />);

@@ -61,7 +61,8 @@ export function CurveFields({
             id={id}
             label="Tolerance"
             value={cutting.tolerance}
-            min={0.001}
+            positive
+            min={1e-3}
             max={100}
             onCommit={(tolerance) => onChange({ ...cutting, tolerance })}
           />
