@@ -50,6 +50,11 @@ it("says how to come to another machine while a wire is in the connected one, wh
   act(() => useRun.setState({ state: machineState("moving"), between: true }));
   expect(at.host.textContent).toContain("Finish the wire or stop it first, then disconnect to connect the other one.");
   act(() => useRun.setState({ between: false }));
+  // Nor while it homes, or moves without a wire: that is waited for.
+  for (const phase of ["homing", "moving"] as const) {
+    act(() => useRun.setState({ state: machineState(phase) }));
+    expect(at.host.textContent).toContain("Disconnect it once it is done, to connect the other one.");
+  }
   act(() => useRun.setState({ state: machineState("ready", "disconnect") }));
   expect(at.host.textContent).toContain("Disconnect it to connect the other one.");
   useDesign.setState({ state: null });

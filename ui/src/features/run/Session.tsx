@@ -43,9 +43,11 @@ export function Session({ state }: { readonly state: MachineState }) {
             tone="warning"
             what={`${file ? file.name : "The design"} is for ${name(designed)}`}
             sub={
-              bending
-                ? `${name(state.machine)} is connected and at work. Finish the wire or stop it first, then disconnect to connect the other one.`
-                : `${name(state.machine)} is connected. Disconnect it to connect the other one.`
+              all.disconnect === null
+                ? `${name(state.machine)} is connected. Disconnect it to connect the other one.`
+                : bending
+                  ? `${name(state.machine)} is connected and at work. Finish the wire or stop it first, then disconnect to connect the other one.`
+                  : `${name(state.machine)} is connected. Disconnect it once it is done, to connect the other one.`
             }
           />
         </ul>
