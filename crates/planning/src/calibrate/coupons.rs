@@ -24,7 +24,7 @@ use crate::machine::{Setup, deg, mm};
 use crate::output::Output;
 use crate::{Installation, PlanningError, Progress};
 
-/// Angles of the ladder unless others are asked for: 7 to either side, which are measured in a quarter of an hour.
+/// Angles of the ladder unless others are asked for: 7 to either side, which with sides and turns take about an hour.
 const LADDER_DEG: [f64; 7] = [20.0, 40.0, 60.0, 80.0, 100.0, 120.0, 135.0];
 /// The turn of the twist pair.
 const TURN_DEG: f64 = 90.0;
