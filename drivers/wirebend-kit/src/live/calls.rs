@@ -65,7 +65,9 @@ impl Machine {
         self.head_target = HeadTarget::at(run.rotate_at_deg, self.rotate_steps_per_deg());
         let rotate_at = self.head_target.steps();
         self.wire = Some(WireProgress::new(run, rotate_at));
-        if rotate_at == 0 || self.head == HeadReference::Lost {
+        // It was homed, and of a wire of which nothing is fed the head has turned nothing.
+        let is_new = run.after == 0 && run.fed_mm == 0.0;
+        if rotate_at == 0 || (self.head == HeadReference::Lost && !is_new) {
             self.open_for_wire(token.session, now);
         } else {
             self.activity = Activity::ToTurn { session: token.session, at: None };

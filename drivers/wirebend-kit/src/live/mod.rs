@@ -135,8 +135,8 @@ impl MachineSession for Session {
 
     fn arm(&mut self, run: &Run) -> Result<ArmedReply, DriverError> {
         let port = self.port.as_mut().ok_or_else(gone)?;
-        // The rest of a wire stays in the simulated machine.
-        if run.after == 0 && run.fed_mm == 0.0 && run.rotate_at_deg == 0.0 {
+        // The rest of a wire stays in the simulated machine; of one of which nothing is fed there is none, however its head is to stand.
+        if run.after == 0 && run.fed_mm == 0.0 {
             port.load(run.bench.as_deref())?;
         }
         self.call(|machine, now| machine.arm(run, now))

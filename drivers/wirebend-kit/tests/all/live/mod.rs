@@ -229,6 +229,35 @@ fn a_head_with_play_is_turned_to_its_place_by_a_move_of_its_own() {
     assert!(straight > 0.5, "{straight} mm");
 }
 
+/// The head goes there and back before the first bend.
+#[test]
+fn a_wire_is_whole_that_takes_up_the_play_of_the_head_first() {
+    let mut steps = [(0.0, 60.0), (-90.0, 60.0), (0.0, 0.0)].map(|(rotate_deg, bend_deg)| Step {
+        feed_mm: 40.0,
+        rotate_deg,
+        bend_deg,
+        approach_deg: None,
+    });
+    let mut begun = |at_deg: f64| {
+        let mut table = Table::new(json!({}));
+        table.backlash_deg = 1.5;
+        table.connected();
+        table.home();
+        table.arm(0, 3, at_deg);
+        steps[0].rotate_deg = -at_deg;
+        table.send(&steps);
+        let Event::Made { corners_mm, .. } = table.until(|event| matches!(event, Event::Made { .. })) else {
+            unreachable!()
+        };
+        corners_mm
+    };
+    let (at_zero, before) = (begun(0.0), begun(2.5));
+    assert_eq!(at_zero.len(), before.len());
+    for (a, b) in at_zero.iter().zip(&before) {
+        assert!((0..3).all(|axis| (a[axis] - b[axis]).abs() < 0.1), "{at_zero:?} {before:?}");
+    }
+}
+
 #[test]
 fn a_stop_ends_everything_until_the_machine_is_homed() {
     let mut table = Table::new(json!({}));
