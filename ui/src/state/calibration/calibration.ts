@@ -1,4 +1,5 @@
 import { create } from "zustand";
+import type { ShapeName } from "../../generated/requests";
 import type {
   CalibrateApplyResponse,
   CalibrateCompareResponse,
@@ -15,7 +16,7 @@ import { store, stored } from "../window/ui";
 export type CalibrationStep = "coupons" | "measure" | "fit" | "apply" | "versions";
 
 /** What the springback may depend on; `better`: what predicts best. */
-export type SpringbackShape = "better" | "constant" | "curve";
+export type SpringbackShape = "better" | ShapeName;
 
 /** Coupons as they are asked for. */
 export interface CouponRequest {

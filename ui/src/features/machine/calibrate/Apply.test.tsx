@@ -19,6 +19,7 @@ import {
 import { useDesign } from "../../../state/design/design";
 import { designState } from "../../../state/testing";
 import { CalibrationDialog } from "./CalibrationDialog";
+import { NOTHING_FITTED } from "./testing";
 
 const at = place();
 const text = () => at.host.textContent ?? "";
@@ -38,17 +39,7 @@ beforeEach(async () => {
     if (name === "calibrate-sheet")
       return { sheet: "/c/sheet.csv", machine: "kit", material: "wire", rows: [row()], jobs: [] };
     if (name === "calibrate-enter") readings = [Number(request.readings?.[0]?.split("=")[1])];
-    if (name === "calibrate-fit")
-      return {
-        machine: "",
-        material: "",
-        kinds: [],
-        shape: null,
-        other_shape: null,
-        other_shape_name: null,
-        left_out: [],
-        gaps: [],
-      };
+    if (name === "calibrate-fit") return NOTHING_FITTED;
     if (name === "apply-calibration")
       return {
         machine: "my-kit",

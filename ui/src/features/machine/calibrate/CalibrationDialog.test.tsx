@@ -11,6 +11,7 @@ import { openCalibration, openSheet, useCalibration } from "../../../state/calib
 import { useDesign } from "../../../state/design/design";
 import { designState } from "../../../state/testing";
 import { CalibrationDialog } from "./CalibrationDialog";
+import { NOTHING_FITTED } from "./testing";
 
 const at = place();
 let readings: (number | null)[];
@@ -32,18 +33,7 @@ beforeEach(() => {
       readings = cells.split(",").map((cell) => (cell === "-" ? null : Number(cell)));
       return {};
     }
-    if (name === "calibrate-fit")
-      return {
-        machine: "",
-        material: "",
-        kinds: [],
-        shape: null,
-        other_shape: null,
-        other_shape_name: null,
-        left_out: leftOut,
-        doubts: [],
-        gaps: [],
-      };
+    if (name === "calibrate-fit") return { ...NOTHING_FITTED, left_out: leftOut };
     return { machines: [], materials: [] };
   });
   localStorage.clear();

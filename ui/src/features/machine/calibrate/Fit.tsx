@@ -32,13 +32,14 @@ export function Fit() {
             choices={[
               { value: "better", label: "Better" },
               { value: "constant", label: "One angle" },
+              { value: "moved", label: "Profile's curve, moved" },
               { value: "curve", label: "Curve" },
             ]}
             onChoose={(chosen) => void chooseShape(chosen)}
           />
           <span className="muted small">
             {/* Beside the choice, which keeps its width. */}
-            {shape === "better" && report.shape && `${SHAPES[report.shape] ?? report.shape}: `}
+            {report.shape && report.shape !== shape && `${SHAPES[report.shape] ?? report.shape}: `}
             for an angle that it has not seen it is {off(bends.leave_one_out.rms, "deg", unit)} off
             {report.other_shape &&
               report.other_shape_name &&
