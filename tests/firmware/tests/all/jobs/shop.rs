@@ -55,6 +55,11 @@ impl Ran {
         serde_json::from_str(&self.out).unwrap_or_else(|error| panic!("{error}: {}\n{}", self.out, self.err))
     }
 
+    /// Whether it has lost its machine, which nothing has happened to: it had no processor for longer than the driver waits.
+    pub fn was_starved(&self) -> bool {
+        self.err.contains("the machine has not answered for more than a second")
+    }
+
     /// The message, if it has these words.
     #[track_caller]
     pub fn says(self, words: &str) -> Self {
@@ -96,8 +101,7 @@ impl Running {
     /// The same; whether it was reached, and not lost before since the machine had no processor for a second.
     #[track_caller]
     pub fn reached_unless_starved(&self, moment: &Receiver<()>) -> bool {
-        let starved = |ran: &Ran| ran.err.contains("error[silent]");
-        self.heard_unless(moment, starved).is_some()
+        self.heard_unless(moment, Ran::was_starved).is_some()
     }
 
     /// Waits for something that is reported of the job that it runs.
@@ -178,6 +182,19 @@ impl Shop {
             let _ = end.send(Ran { status: done.status, out: text(done.stdout), err: text(done.stderr) });
         });
         Running { pid, ended }
+    }
+
+    /// What an attempt gives that ends well; where the machine was lost for want of the processors there is another.
+    #[track_caller]
+    pub fn patiently<T>(mut attempt: impl FnMut() -> (Ran, T)) -> T {
+        for _ in 0..3 {
+            let (ran, told) = attempt();
+            if !ran.was_starved() {
+                ran.ended(0);
+                return told;
+            }
+        }
+        panic!("the machine has not had the processors for as long as it takes");
     }
 
     #[track_caller]
