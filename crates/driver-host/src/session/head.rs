@@ -182,19 +182,20 @@ impl Head {
         self.is(HeadPlace::hull(self.ahead.iter().copied().chain([made_deg])));
     }
 
-    /// Before steps are sent; gives what was known before.
+    /// Before steps are sent; gives what was known before, and where all that was sent then ends.
     pub fn sends<'s>(
         &mut self,
         steps: impl Iterator<Item = &'s NumberedStep>,
-    ) -> Result<HeadPlace, SessionError> {
-        let (before, mut end) = (self.place, self.end);
+    ) -> Result<(HeadPlace, f64), SessionError> {
+        let before = (self.place, self.end);
+        let mut end = self.end;
         let after: Vec<f64> = steps
             .map(|step| {
                 end += step.step.rotate_deg;
                 end
             })
             .collect();
-        let (least, most) = before.range();
+        let (least, most) = before.0.range();
         self.may_be(HeadPlace::hull(after.iter().copied().chain([least, most])))?;
         self.ahead.extend(after);
         self.end = end;
@@ -202,10 +203,10 @@ impl Head {
     }
 
     /// So many of the last of them were not taken.
-    pub fn not_taken(&mut self, count: usize, before: HeadPlace) {
+    pub fn not_taken(&mut self, count: usize, (before, end): (HeadPlace, f64)) {
         self.ahead.truncate(self.ahead.len().saturating_sub(count));
         let (least, most) = before.range();
-        self.end = self.ahead.back().copied().unwrap_or(most);
+        self.end = self.ahead.back().copied().unwrap_or(end);
         self.is(HeadPlace::hull(self.ahead.iter().copied().chain([least, most])));
     }
 

@@ -38,8 +38,8 @@ impl Session {
     /// Makes ready for one wire of a job, or for the rest of one: from the step after [`Run::after`] on. The token that
     /// this gives is what every motion needs; it ends with the wire, with a stop, a fault, or another arming.
     ///
-    /// Both axes have to be at their reference. For the rest of a wire the driver learns from
-    /// [`Run::rotate_at_deg`] where the finished part has left the head.
+    /// Both axes have to be at their reference. The driver learns from [`Run::rotate_at_deg`] where the head has to stand
+    /// first.
     ///
     /// # Errors
     /// [`SessionError`].
@@ -55,12 +55,13 @@ impl Session {
         if after > steps || !rotate_at_deg.is_finite() {
             return Err(SessionError::Steps { sent: after, total: steps });
         }
-        if (after > 0 || rotate_at_deg != 0.0) && !self.turns_head_first() {
+        if (after > 0 || rotate_at_deg != 0.0) && self.driver.minor() == 0 {
             let driver = self.driver.description().id.clone();
             return Err(SessionError::TooOld { driver, after });
         }
+        let place = self.head_place();
         self.head.begins(rotate_at_deg)?;
-        let token = self.call_to_arm(run)?;
+        let token = self.call_to_arm(run, place)?;
         self.off.head_stands_at(rotate_at_deg);
         let armed = self.armed(token)?;
         (self.phase, self.steps, self.sent, self.done) = (next, Some(steps), after, after);
@@ -68,10 +69,10 @@ impl Session {
         Ok(armed)
     }
 
-    /// Whether the driver turns the head to its place before a wire, or the rest of one.
+    /// Whether the driver turns the head to its place before a new wire, too; all do before the rest of one.
     #[must_use]
     pub const fn turns_head_first(&self) -> bool {
-        self.driver.minor() > 0
+        self.driver.minor() >= 7
     }
 
     /// Makes ready for moves by hand. The token ends as that of [`Session::arm`].
@@ -116,7 +117,7 @@ impl Session {
         let stands = |n: u32| turned(steps, n) + begun(n);
         let (rotate_at_deg, head) = (stands(self.done), stands(self.sent));
         let run = Run { after: self.done, rotate_at_deg, rotate_taken_deg: Some(head), ..run };
-        let token = self.call_to_arm(run)?;
+        let token = self.call_to_arm(run, self.head_place())?;
         let armed = self.armed(token)?;
         self.off.head_stands_at(head);
         let ahead = (self.done + 1..=self.sent).map(|n| turned(steps, n));
@@ -260,9 +261,10 @@ impl Session {
         self.faulting(called)
     }
 
-    fn call_to_arm(&mut self, run: Run) -> Result<Option<String>, SessionError> {
+    /// `place`: where the head stands, and stays if the driver refuses.
+    fn call_to_arm(&mut self, run: Run, place: HeadPlace) -> Result<Option<String>, SessionError> {
         let called = self.driver.motion_for("arming", &Call::Arm(run), deadline::CALL, self.unstopped());
-        Ok(self.faulting::<ArmedReply>(called)?.token)
+        Ok(self.faulting_before::<ArmedReply>(called, place)?.token)
     }
 
     /// The next token, unless a stop came first.

@@ -68,7 +68,7 @@ impl Session {
         // Before the phase: a stop in between is missed by both.
         let stops = self.arming.stops();
         let phase = better(self.phase_after_stop(stops));
-        // What is given up as it is would refuse it.
+        // A driver that is gone, or a machine that is given up in its wire, would refuse it.
         let given_up =
             self.contact != Contact::There || phase == Phase::Failed && self.phase != Phase::Failed;
         let asked = if given_up { &BTreeSet::new() } else { abilities };

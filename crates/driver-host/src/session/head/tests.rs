@@ -53,7 +53,7 @@ fn hears(head: &mut Head, events: &[Event]) {
     }
 }
 
-fn sends(head: &mut Head, turns: &[f64]) -> HeadPlace {
+fn sends(head: &mut Head, turns: &[f64]) -> (HeadPlace, f64) {
     let steps: Vec<NumberedStep> = (1..)
         .zip(turns)
         .map(|(n, &rotate_deg)| NumberedStep { n, step: Step { rotate_deg, ..Step::default() } })
@@ -162,6 +162,19 @@ fn what_was_refused_was_not_turned() {
     refused.jogs(motion).unwrap();
     hears(&mut refused, &[Event::Jogged]);
     assert_eq!(disk.last(), HeadPlace::At(-45.0));
+}
+
+/// A driver that turns the head to where the wire begins takes no step before.
+#[test]
+fn a_wire_that_begins_before_zero_ends_where_its_steps_do() {
+    let (mut before_zero, disk) = head(HeadBy::Program, HeadPlace::At(0.0));
+    before_zero.begins(-2.5).unwrap();
+    let before = sends(&mut before_zero, &[2.5]);
+    before_zero.not_taken(1, before);
+    assert_eq!(disk.last(), HeadPlace::Between(-2.5, 0.0));
+    sends(&mut before_zero, &[2.5, 90.0]);
+    hears(&mut before_zero, &[Event::Done { n: 1 }, Event::Done { n: 2 }]);
+    assert_eq!(disk.last(), HeadPlace::At(90.0));
 }
 
 /// A disk that is full: nothing is turned that would not be known later.
