@@ -134,7 +134,8 @@ pub struct Run {
     /// Where the head stands, degrees from its reference, in the machine's signs: the sum of what the steps that
     /// are done have turned it, and of what is turned of the next. A machine that has lost its head takes it to
     /// stand there. One that was homed again, so that the head stands at zero, turns it there before the next step.
-    /// Since 1.1.
+    /// Since 1.1. Of a new wire, since 1.7: so far before zero that the first step takes up the play of the head; the machine
+    /// was homed, and turns it there.
     #[serde(default)]
     pub rotate_at_deg: f64,
     /// Where the head stands once all steps are done that the machine has taken, degrees likewise, where it still is in the wire: the next

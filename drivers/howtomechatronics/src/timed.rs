@@ -103,7 +103,7 @@ impl Timed {
             }
             State::Ready => {
                 let mut axes = Axes::default();
-                // The head was put at its start, and the finished part of the wire has left it elsewhere.
+                // The head was put at its start, and has to stand elsewhere first.
                 let turn = Step { rotate_deg: run.rotate_at_deg, ..Step::default() };
                 let turn = axes.commands(&turn, "where the head was", self.settings.most_feed_mm)?;
                 let (steps, taken) = (run.steps, run.after);

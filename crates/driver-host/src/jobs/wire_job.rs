@@ -46,6 +46,8 @@ pub struct WireJob {
     pub estimates: Vec<StepTime>,
     /// The play of the head that the steps make up for, degrees.
     pub head_play_deg: f64,
+    /// From where to where the head turns, degrees from its zero.
+    pub head_range_deg: [f64; 2],
     /// Where the machine waits for a person, in order.
     pub pauses: Vec<PauseAfter>,
 }

@@ -78,7 +78,9 @@ pub fn work(setup: &Setup, job: &Job, name: &str, index: usize) -> Result<WireJo
     let pause = |JobPause { after, note }: &JobPause| PauseAfter { after: *after, note: note.clone() };
     let pauses = wire.pauses.iter().map(pause).collect();
     let head_play_deg = setup.model.compensation.motion.rotate_backlash.deg();
-    Ok(WireJob { run, steps, estimates: estimates(setup, wire)?, head_play_deg, pauses })
+    let ends = [setup.model.head.min, setup.model.head.max].map(|end| setup.signs.head(end.deg()));
+    let head_range_deg = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+    Ok(WireJob { run, steps, estimates: estimates(setup, wire)?, head_play_deg, head_range_deg, pauses })
 }
 
 /// How long each step takes by the machine's time model.

@@ -19,7 +19,7 @@ pub(super) struct WireRun {
     /// How many steps the wire has.
     steps: usize,
     start: Vec<String>,
-    /// Turns the head to where the finished part of the wire left it.
+    /// Turns the head to where it has to stand first.
     turn: Option<Segment>,
     waiting: VecDeque<(u32, Vec<Segment>)>,
     /// What is left of the step under way.
@@ -88,7 +88,7 @@ impl WireRun {
         }
         let mut program = Program::new(Rc::clone(settings), &names)?;
         let start = program.start();
-        // The machine was homed since, so the head is not where the finished part of the wire left it.
+        // The machine was homed: the head is at zero.
         let turn = program.turned_to(run.rotate_at_deg).map_err(|why| {
             DriverError::new(
                 "step",

@@ -77,7 +77,7 @@ impl Machine {
         Ok(ArmedReply { token: Some(token.to_string()) })
     }
 
-    /// The head goes to where the rest of a wire goes on by a move of its own: its play is taken up by a turn there and back alone. The
+    /// The head goes to where a wire begins or goes on by a move of its own: its play is taken up by a turn there and back alone. The
     /// lines of the wire count in a session that is opened after it.
     fn turn_first(&mut self, now: Duration) {
         let (Activity::ToTurn { session, at: Some(at) }, Some(wire)) = (self.activity, &self.wire) else {

@@ -27,7 +27,7 @@ pub(super) enum Activity {
     Connecting,
     Idle,
     Homing(Homing),
-    /// Armed for the rest of a wire, to whose place the head is turned once a step is sent; `at`: where it stands, steps, as the next status
+    /// Armed for a wire, to whose place the head is turned once a step is sent; `at`: where it stands, steps, as the next status
     /// reports it.
     ToTurn {
         session: u16,

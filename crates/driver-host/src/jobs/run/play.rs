@@ -5,6 +5,7 @@ use wirebend_driver_api::Step;
 
 use super::super::entry::EntryKind;
 use super::super::part::Part;
+use super::super::wire_job::WireJob;
 use super::JobRun;
 use crate::session::ROUNDING_DEG;
 
@@ -22,11 +23,14 @@ impl JobRun {
 
     /// How much more the step after the first `done` turns where the wire begins or goes on within it.
     pub(super) fn turns_more_after(&self, done: u32, part: Part) -> f64 {
-        // Whoever cannot turn the head first begins with it as it stands.
-        if !self.session.turns_head_first() {
+        let WireJob { steps, head_play_deg, head_range_deg, .. } = &self.work;
+        let is_new = done == 0 && part == Part::default();
+        // An older driver begins a wire with the head as it stands.
+        if is_new && !self.session.turns_head_first() {
             return 0.0;
         }
-        turns_more(&self.work.steps, done, part, self.work.head_play_deg)
+        let more = turns_more(steps, done, part, *head_play_deg);
+        if is_new { within(more, *head_range_deg) } else { more }
     }
 
     /// How much more than its rest a step turns, since the wire begins or goes on in it.
@@ -38,7 +42,8 @@ impl JobRun {
 
 /// How much more the step after the first `done` turns where a wire begins, or goes on within it: the head, which was put to zero since,
 /// stands so far before, and so takes up its play as it did when it came there first. Before the first turn it is that turn whose play is
-/// taken up, as programs have it. Zero where the rest of the step does that. No more than the last turn was: so far the head can stand.
+/// taken up, as programs have it. Zero where the rest of the step does that. No more than the last turn was, if there was one: so far the
+/// head can stand.
 pub(super) fn turns_more(steps: &[Step], done: u32, part: Part, play_deg: f64) -> f64 {
     if play_deg <= 0.0 {
         return 0.0;
@@ -56,6 +61,11 @@ pub(super) fn turns_more(steps: &[Step], done: u32, part: Part, play_deg: f64) -
     };
     let takes_up = (rest * turn.signum()).max(0.0);
     (needed - takes_up).max(0.0) * turn.signum()
+}
+
+/// As much of it as the head has room for, which stands so far before zero: within its range, degrees.
+fn within(more: f64, [min, max]: [f64; 2]) -> f64 {
+    more.clamp(-max.max(0.0), (-min).max(0.0))
 }
 
 /// What is turned of a step that turns `more` besides: what takes up the play comes first, and is nothing of it.
@@ -132,13 +142,24 @@ mod tests {
             let mut planned = Head { drive: 0.0, stands: if *first > 0.0 { -play } else { 0.0 }, play };
             let mut begun = Head { drive: 0.0, stands: -play * rests, play };
             begun.turn(-more);
-            begun.turn(turns[0] + more);
-            planned.turn(turns[0]);
-            for &by in &turns[1..] {
-                prop_assert!((begun.stands - planned.stands).abs() < 1e-9, "{} instead of {}", begun.stands, planned.stands);
-                begun.turn(by);
+            for (k, &by) in turns.iter().enumerate() {
+                begun.turn(if k == 0 { by + more } else { by });
                 planned.turn(by);
+                prop_assert!((begun.stands - planned.stands).abs() < 1e-9, "{} instead of {}", begun.stands, planned.stands);
             }
+        }
+    }
+
+    #[test]
+    fn a_head_goes_no_farther_before_its_zero_than_it_can() {
+        for (more, range, wanted) in [
+            (2.5, [-360.0, 360.0], 2.5),
+            (2.5, [-1.0, 360.0], 1.0),
+            (2.5, [0.0, 360.0], 0.0),
+            (-2.5, [0.0, 360.0], -2.5),
+            (-2.5, [-360.0, 2.0], -2.0),
+        ] {
+            assert!((within(more, range) - wanted).abs() < 1e-12, "{more} in {range:?}");
         }
     }
 

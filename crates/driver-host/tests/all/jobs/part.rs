@@ -94,6 +94,31 @@ fn a_head_with_play_comes_to_its_place_as_it_did_before() {
     assert_eq!((last.rotate_deg, head), (-2.5, place + 2.5));
 }
 
+/// What turned it to zero may have left its play on either side: it stands before zero first, and comes back with the first step, as far as
+/// it can turn.
+#[test]
+fn a_head_with_play_comes_to_zero_before_a_wire_from_the_side_of_its_first_turn() {
+    let first = work().steps.iter().map(|step| step.rotate_deg).find(|turn| *turn != 0.0).unwrap();
+    for (head_range_deg, more) in [([-360.0, 360.0], 2.5), ([-1.0, 1.0], 1.0), ([0.0, 0.0], 0.0)] {
+        let folder = tempfile::tempdir().unwrap();
+        let shop = Shop::at(folder.path());
+        let job = WireJob { head_play_deg: 1.5, head_range_deg, ..work() };
+        let mut run = shop.program_for(json!({}), Box::new(SystemClock::default()), job);
+        home(run.session());
+        permits::start(&mut run).unwrap();
+        drive(&mut run);
+        // What is turned of the first step takes up as much of it.
+        let own = (work().steps[0].rotate_deg * first.signum()).max(0.0);
+        let expected = (more - own).max(0.0) * first.signum();
+        assert_eq!(shop.machine()["heads"], json!([-expected + 0.0]), "{head_range_deg:?}");
+        let mut wanted = work().steps;
+        wanted[0].rotate_deg += expected;
+        assert_eq!(told(&shop), wanted);
+        let ends = wanted.iter().map(|step| step.rotate_deg).sum::<f64>() - expected;
+        assert!((run.session().head_deg() - ends).abs() < 1e-9);
+    }
+}
+
 /// An axis that was on its way may have lost steps as it stopped.
 #[test]
 fn a_feed_that_was_stopped_is_measured_unless_it_stood() {

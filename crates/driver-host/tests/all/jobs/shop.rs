@@ -34,7 +34,7 @@ pub fn work() -> WireJob {
         TURNS.iter().map(step).collect(),
         vec![StepTime { bend: Duration::from_secs(10), ..StepTime::default() }; 5],
     );
-    WireJob { run, steps, estimates, head_play_deg: 0.0, pauses: Vec::new() }
+    WireJob { run, steps, estimates, head_play_deg: 0.0, head_range_deg: [-360.0, 360.0], pauses: Vec::new() }
 }
 
 pub fn heading() -> Heading {
