@@ -245,6 +245,8 @@ pub enum Fact {
     RotationOutOfRange {
         /// The angle nearest to zero at which the bend could be made; others are half a turn apart.
         wanted: Angle,
+        /// Whether it is where the head is sent for that, with what it is off by.
+        commanded: bool,
         /// The lowest and the highest angle of the head.
         range: [Angle; 2],
         /// Where the limit comes from that `wanted` is beyond.

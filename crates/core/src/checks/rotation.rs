@@ -13,6 +13,7 @@ pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
         location: wire.location_of_step(refused.step),
         fact: Fact::RotationOutOfRange {
             wanted: refused.wanted,
+            commanded: refused.commanded,
             range: [refused.min, refused.max],
             source: source.clone(),
         },

@@ -72,8 +72,28 @@ pub fn fastest_schedule(
     machine: &Machine,
     nominal: &NominalProgram,
 ) -> Result<ScheduledProgram, RotationOutOfRange> {
-    schedule(nominal, &machine.head, |bend| bend_seconds(machine, bend))
+    let within = |limits: HeadLimits| schedule(nominal, &limits, |bend| bend_seconds(machine, bend));
+    let first = within(machine.head)?;
+    let (mut limits, mut found) = (machine.head, first.clone());
+    // A head that is off is sent farther than it is to come: where that is too far it is to come less far.
+    for _ in 0..MAX_NARROWED {
+        let sent = compensate(&found, &machine.compensation).ok();
+        let Some(beyond) = sent.and_then(|program| commanded_beyond(&program, machine)) else {
+            return Ok(found);
+        };
+        if beyond.wanted > machine.head.max {
+            limits.max = (limits.max - (beyond.wanted - machine.head.max)).max(Angle::ZERO);
+        } else {
+            limits.min = (limits.min + (machine.head.min - beyond.wanted)).min(Angle::ZERO);
+        }
+        let Ok(narrower) = within(limits) else { break };
+        found = narrower;
+    }
+    Ok(first)
 }
+
+/// So often a schedule is looked for that keeps what the head is sent to within its limits.
+const MAX_NARROWED: usize = 6;
 
 /// How long a bend takes, s; none where it cannot be made.
 pub(super) fn bend_seconds(machine: &Machine, bend: Angle) -> Option<f64> {
@@ -150,7 +170,7 @@ fn commanded_beyond(program: &CompensatedProgram, machine: &Machine) -> Option<R
     });
     let beyond = |at: &Angle| *at < min - rounding || *at > max + rounding;
     let (step, wanted) = sent.enumerate().find(|(_, at)| beyond(at))?;
-    Some(RotationOutOfRange { step, wanted, min, max })
+    Some(RotationOutOfRange { step, wanted, commanded: true, min, max })
 }
 
 /// The finding of a route with a segment without length. The check of the design names the edge by its vertices too.

@@ -40,6 +40,8 @@ pub struct RotationOutOfRange {
     pub step: usize,
     /// The angle nearest to zero at which the bend could be made, with the head at zero for the first bend.
     pub wanted: Angle,
+    /// Whether that is where the head is sent, with what it is off by.
+    pub commanded: bool,
     /// The limit below.
     pub min: Angle,
     /// The limit above.
@@ -206,7 +208,7 @@ fn fastest(
             let ways = [(unflipped, false), ((unflipped + Angle::HALF_TURN).wrapped(), true)];
             let made = ways.into_iter().filter(|way| sides.is_none_or(|sides| is_side_made(sides[k], way.1)));
             let wanted = made.map(|(head, _)| head).min_by_key(|head| head.abs()).unwrap_or(unflipped);
-            return Err(RotationOutOfRange { step: pair[1], wanted, min, max });
+            return Err(RotationOutOfRange { step: pair[1], wanted, commanded: false, min, max });
         }
         layers.push(layer);
     }

@@ -75,7 +75,10 @@ pub fn message(diagnostic: &Diagnostic) -> String {
         Fact::CornerNotMade { vertex, corner, .. } => bend::corner_not_made(*vertex, *corner),
         Fact::FoldBack { .. } => bend::fold_back(at),
         Fact::FoldBackNotCompensated { bend } => bend::fold_back_not_compensated(at, *bend),
-        Fact::RotationOutOfRange { wanted, range, .. } => machine::rotation_out_of_range(at, *wanted, *range),
+        Fact::RotationOutOfRange { wanted, commanded: false, range, .. } => {
+            machine::rotation_out_of_range(at, *wanted, *range)
+        }
+        Fact::RotationOutOfRange { wanted, range, .. } => machine::sent_out_of_range(at, *wanted, *range),
         Fact::StockTooLong { needed, tail, limit } => machine::stock_too_long(*needed, *tail, limit.value),
         Fact::BendTorqueLow { needed_n_m, available_n_m, .. } => {
             machine::bend_torque_low(available_n_m.value, *needed_n_m)

@@ -271,10 +271,21 @@ fn findings_of_the_machine_tell_what_it_can_do() {
         at(&[]),
         Fact::RotationOutOfRange {
             wanted: deg(95.0),
+            commanded: false,
             range: [deg(-90.0), deg(90.0)],
             source: stated(()).source,
         },
         "the bend at vertex 4 needs the head at 95.00° (or half turns from there); the head turns from -90.0° to 90.0°",
+    );
+    says(
+        at(&[]),
+        Fact::RotationOutOfRange {
+            wanted: deg(95.0),
+            commanded: true,
+            range: [deg(0.0), deg(90.0)],
+            source: stated(()).source,
+        },
+        "for the bend at vertex 4 the head is sent to 95.00°, with its offset and backlash; it turns from 0.0° to 90.0°",
     );
     says(
         Location::default(),

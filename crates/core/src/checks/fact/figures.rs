@@ -110,7 +110,7 @@ impl Fact {
             Self::CornerNotMade { straight, .. } => {
                 Limit { value: Quantity::Angle(*straight), source: LimitSource::AxisResolution }
             }
-            Self::RotationOutOfRange { wanted, range: [min, max], source } => {
+            Self::RotationOutOfRange { wanted, range: [min, max], source, .. } => {
                 let limit = if *wanted < Angle::ZERO { min } else { max };
                 Limit { value: Quantity::Angle(*limit), source: LimitSource::Stated(source) }
             }
