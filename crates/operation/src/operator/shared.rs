@@ -60,7 +60,8 @@ impl Shared {
         let goes_on = matches!(order, Order::Pause | Order::Resume | Order::Speed { .. });
         let taken = || {
             if !goes_on {
-                self.lock().state.problem = None;
+                let mut kept = self.lock();
+                kept.problem_before = kept.state.problem.take();
             }
         };
         Ok(self.actor.order(Ordered { order, job }, taken)?)
@@ -193,6 +194,13 @@ impl Shared {
             self.actor.changed();
         }
         self.catch_up();
+    }
+
+    /// What had gone wrong before the order still is what is wrong, as nothing else is.
+    pub fn is_as_before(&self) {
+        let mut kept = self.lock();
+        let before = kept.problem_before.take();
+        kept.state.problem = kept.state.problem.take().or(before);
     }
 
     /// Changes what is reported as news, and so not as a state.

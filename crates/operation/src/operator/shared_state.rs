@@ -3,6 +3,7 @@
 use std::time::{Duration, Instant};
 
 use wirebend_driver_host::{ActorOrder, ActorView, Because, NotTaken, OrderName, Orders, Snapshot};
+use wirebend_error::ProblemReport;
 use wirebend_planning::signs::Signs;
 
 use super::state::MachineState;
@@ -59,6 +60,8 @@ pub(super) struct SharedState {
     pub state: MachineState,
     /// The signs of the machine, once that is known.
     pub signs: Option<Signs>,
+    /// What had gone wrong before the order that is carried out.
+    pub problem_before: Option<ProblemReport>,
     /// The number of the last question.
     pub asked: u64,
     pub answer: Option<Answer>,
@@ -79,6 +82,7 @@ impl SharedState {
         Self {
             state,
             signs: None,
+            problem_before: None,
             asked: 0,
             answer: None,
             withdrawn: false,

@@ -234,9 +234,13 @@ impl<'a> OperatorThread<'a> {
             None => Some(ProblemReport::from(&LiveProblem::MayMove { during: "it was connected" })),
             Some(problem) => Some(with_power(problem)),
         };
-        if let Some(problem) = problem {
-            self.jog_permit = None;
-            self.shared.problem(problem);
+        match problem {
+            Some(problem) => {
+                self.jog_permit = None;
+                self.shared.problem(problem);
+            }
+            None if self.is_out_of_order() => self.shared.is_as_before(),
+            None => {}
         }
         let snapshot = self.snapshot();
         let wire = self.armed.as_ref().map(ArmedWire::state);

@@ -95,6 +95,11 @@ fn nothing_follows_a_piece_that_is_not_cut_off() {
     assert_eq!((run.pieces.made, run.pieces.of), (2, 4));
     assert!(run.wires[0].problem.is_some(), "{run:?}");
     seat.until_phase(Phase::Failed);
+    // It is what is wrong also after an order that came to nothing.
+    seat.order(&json!({"order": "home"}));
+    seat.says(Answer::No);
+    let failed = seat.until_phase(Phase::Failed);
+    assert!(failed.problem.is_some_and(|problem| problem.message.contains("the cutter has not come back")));
     // The wire is somewhere on its way to the cutter.
     seat.order(&json!({"order": "home"}));
     seat.says(Answer::Yes);
