@@ -311,8 +311,9 @@ impl Making<'_, '_> {
             return Ok(None);
         }
         let kept = KeptWire::new(&self.task.file, self.task.wire(self.wire)?, &self.task.setup)?;
-        let corners_mm = kept.wire(&heard.corners_mm).into_iter().map(Into::into).collect();
-        Ok(Some(Bent { corners_mm, deviations_mm: kept.deviations_mm(&heard.corners_mm) }))
+        let corners = kept.corners(&heard.corners_mm);
+        let deviations_mm = kept.deviations_mm(&corners);
+        Ok(Some(Bent { corners_mm: corners.into_iter().map(Into::into).collect(), deviations_mm }))
     }
 
     /// Writes the record.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use nalgebra::Point3;
+use nalgebra::{Point3, Rotation3, Unit};
 use wirebend_core::bend::{Frame, Step, program_of_path};
 use wirebend_core::compensate::CompensatedProgram;
 use wirebend_core::motion::poses_of_points;
@@ -15,6 +15,9 @@ use crate::PlanningError;
 use crate::machine::{Setup, kept_steps, told_steps};
 use crate::playback::PoseReport;
 use crate::signs::Signs;
+
+/// A corner that is nearer to the first direction tells no plane.
+const BESIDE_MM: f64 = 0.5;
 
 /// A wire of a job, made ready to be bent.
 pub struct KeptWire {
@@ -92,10 +95,14 @@ impl KeptWire {
     /// corners in the frame of the turtle at its start, in the machine's signs. Vertices on a straight divide it
     /// as they do in the design. `None` where the wire has another number of corners.
     pub fn vertices(&self, corners_mm: &[[f64; 3]]) -> Option<Vec<Point3<f64>>> {
-        if corners_mm.len() != self.corners.len() {
+        self.vertices_of(&self.wire(corners_mm))
+    }
+
+    /// The same of corners that are laid beside the design.
+    fn vertices_of(&self, made: &[Point3<f64>]) -> Option<Vec<Point3<f64>>> {
+        if made.len() != self.corners.len() {
             return None;
         }
-        let made: Vec<Point3<f64>> = corners_mm.iter().map(|&corner| self.placed(corner)).collect();
         let mut vertices = Vec::with_capacity(self.design.len());
         vertices.extend(made.first());
         for (ends, made) in self.corners.windows(2).zip(made.windows(2)) {
@@ -111,15 +118,36 @@ impl KeptWire {
         Some(vertices)
     }
 
-    /// How far each vertex of the design is from where it lies on a bent wire, in mm.
-    pub fn deviations_mm(&self, corners_mm: &[[f64; 3]]) -> Option<Vec<f64>> {
-        let made = self.vertices(corners_mm)?;
+    /// How far each vertex of the design is from where it lies on a wire whose corners are laid beside it, in mm.
+    pub fn deviations_mm(&self, made: &[Point3<f64>]) -> Option<Vec<f64>> {
+        let made = self.vertices_of(made)?;
         Some(self.design.iter().zip(made).map(|(design, made)| (design - made).norm()).collect())
     }
 
     /// The points of a bent wire, laid beside the design.
     pub fn wire(&self, wire_mm: &[[f64; 3]]) -> Vec<Point3<f64>> {
         wire_mm.iter().map(|&point| self.placed(point)).collect()
+    }
+
+    /// The corners of a bent wire, laid beside the design with its first bend in the plane of the design's: a head that has play does not
+    /// know where in that its zero is, and all of the wire is turned by it.
+    pub fn corners(&self, corners_mm: &[[f64; 3]]) -> Vec<Point3<f64>> {
+        let made = self.wire(corners_mm);
+        let Frame { position, .. } = self.start;
+        let axis = Unit::new_normalize(self.start.t());
+        let beside = |point: &Point3<f64>| {
+            let from = point - position;
+            from - axis.scale(axis.dot(&from))
+        };
+        let pairs = self.corners.iter().filter_map(|&k| self.design.get(k)).zip(&made);
+        let off = pairs.map(|(design, made)| (beside(design), beside(made)));
+        let Some((design, made_off)) = off.into_iter().find(|(a, b)| a.norm().min(b.norm()) > BESIDE_MM)
+        else {
+            return made;
+        };
+        let turn = axis.dot(&made_off.cross(&design)).atan2(made_off.dot(&design));
+        let turn = Rotation3::from_axis_angle(&axis, turn);
+        made.iter().map(|point| position + turn * (point - position)).collect()
     }
 
     /// How a bent wire lies in the machine while each step bends it: `corners` are where it begins and where each step has

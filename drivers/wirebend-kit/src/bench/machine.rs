@@ -321,10 +321,6 @@ impl Bench {
 
     /// The peg comes up on one side of the wire, or into it.
     fn take_side(&mut self) {
-        // Wire that is not bent yet is round: what its head is off by turns all of what it becomes, and nothing within it.
-        if self.chain.is_straight() {
-            self.head_error_deg = 0.0;
-        }
         let at = self.axis(self.bend_steps);
         // Legs between these two overlap the peg; those of more are on its left, of less on its right.
         let (right, left) = (-self.press.contact.leg_angle(-at), self.press.contact.leg_angle(at));
