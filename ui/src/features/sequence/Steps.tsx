@@ -110,7 +110,7 @@ export function Steps({ drawn }: { readonly drawn: DrawnSequence }) {
               <span
                 title={
                   checked
-                    ? "Whether the head can stand; how else it could is not counted in a sequence that is checked"
+                    ? "Whether the head can stand. In a sequence that is checked other directions are not tried."
                     : undefined
                 }
               >

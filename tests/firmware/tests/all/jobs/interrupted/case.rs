@@ -64,7 +64,7 @@ impl fmt::Display for Case {
 const HOST_LOST: u64 = HZ + 25 * MS;
 
 impl Case {
-    /// Tries it; says how it went. Where the machine was lost before, for want of the processors, it is tried once more.
+    /// Tries it; says how it went. Where the machine was lost before, for want of the processors, it is tried again.
     pub fn try_on<B: Board + Send + 'static>(&self, job: &Job) -> Went {
         let went = (1..=3).find_map(|attempt| self.attempt::<B>(job, attempt));
         went.expect("the machine to have the processors for as long as it takes")
