@@ -162,8 +162,16 @@ fn commanded_beyond(program: &CompensatedProgram, machine: &Machine) -> Option<R
     if machine.compensation.motion.is_exact() {
         return None;
     }
+    sent_beyond(program, machine, Angle::computed(1e-9))
+}
+
+/// The first step for which the head is sent farther than it can turn, but for rounding.
+pub(super) fn sent_beyond(
+    program: &CompensatedProgram,
+    machine: &Machine,
+    rounding: Angle,
+) -> Option<RotationOutOfRange> {
     let HeadLimits { min, max, .. } = machine.head;
-    let rounding = Angle::computed(1e-9);
     let sent = program.steps().iter().scan(Angle::ZERO, |at, step| {
         *at += step.rotate;
         Some(*at)

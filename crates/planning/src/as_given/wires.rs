@@ -221,6 +221,37 @@ mod tests {
         }
     }
 
+    /// As it stands its axes go there: what a design would need of them is another matter.
+    #[test]
+    fn a_program_is_held_against_what_the_axes_can_do() {
+        let app = Installation::new(&[]).unwrap();
+        let mut setup = app.setup("wirebend-kit", None).unwrap();
+        setup.model.compensation.bend.axis_limit = Angle::from_deg(110.0).ok();
+        let of = ProgramMachine { machine: Some("wirebend-kit"), material: None };
+        let turns = |by: &str| format!("F 60\nB 60\n{}F 60\n", format!("F 60\nR {by}\nB 60\n").repeat(2));
+        for (text, found) in [
+            (turns("180"), None),
+            (turns("180.1"), Some(("rotation_out_of_range", "the head is sent to 360.20°"))),
+            (turns("-180.1"), Some(("rotation_out_of_range", "the head is sent to -360.20°"))),
+            ("F 60\nB 110\nF 60\n".to_owned(), None),
+            ("F 60\nB -110.4\nF 60\n".to_owned(), Some(("bend_out_of_reach", "is -90.00°, out of reach"))),
+        ] {
+            let job = job_of_file(&app, "axes.txt", text.as_bytes(), of).unwrap();
+            let given = GivenWires::of("axes.txt", &job, &setup).unwrap();
+            let codes = ["rotation_out_of_range", "bend_out_of_reach"];
+            let named = given.findings().find(|finding| codes.contains(&finding.code().as_str()));
+            match (named, found) {
+                (None, None) => {}
+                (Some(named), Some((code, words))) => {
+                    assert_eq!(named.code().as_str(), code, "{text}");
+                    let message = crate::text::message(named);
+                    assert!(named.is_error() && message.contains(words), "{message}");
+                }
+                (named, _) => panic!("{text}: {named:?}"),
+            }
+        }
+    }
+
     /// The second wire counts as not looked at, too: it may collide as well as the first.
     #[test]
     fn a_search_of_given_wires_that_takes_too_long_is_said_to_have_no_end() {

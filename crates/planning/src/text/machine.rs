@@ -14,10 +14,7 @@ pub(super) fn rotation_out_of_range(at: &Location, wanted: Angle, [min, max]: [A
 }
 
 pub(super) fn sent_out_of_range(at: &Location, sent: Angle, [min, max]: [Angle; 2]) -> String {
-    format!(
-        "for the bend{} the head is sent to {sent:.2}, with its offset and backlash; it turns from {min:.1} to {max:.1}",
-        of_bend(at)
-    )
+    format!("for the bend{} the head is sent to {sent:.2}; it turns from {min:.1} to {max:.1}", of_bend(at))
 }
 
 pub(super) fn stock_too_long(needed: Length, tail: Length, max: Length) -> String {

@@ -285,7 +285,7 @@ fn findings_of_the_machine_tell_what_it_can_do() {
             range: [deg(0.0), deg(90.0)],
             source: stated(()).source,
         },
-        "for the bend at vertex 4 the head is sent to 95.00°, with its offset and backlash; it turns from 0.0° to 90.0°",
+        "for the bend at vertex 4 the head is sent to 95.00°; it turns from 0.0° to 90.0°",
     );
     says(
         Location::default(),
