@@ -54,6 +54,10 @@ impl<'a> Task<'a> {
             ProgramMachine { machine: request.machine.as_deref(), material: request.material.as_deref() };
         let job = job_of_file(app, &file, &bytes, of)?;
         let setup = restored(&file, job.contents())?;
+        if let Some(wanted) = request.machine.as_ref().filter(|wanted| *wanted != setup.machine_id()) {
+            let (planned, wanted) = (setup.machine_id().to_owned(), wanted.clone());
+            return Err(PlanningError::OtherMachine { name: file, planned, wanted }.into());
+        }
         require_feasible(&file, &job, &setup, &request)?;
         let simulated = &request.simulated_as;
         let bench = if simulated.is_as_planned() { None } else { Some(simulated.bench(app, &setup)?) };
