@@ -94,7 +94,14 @@ pub(in crate::read) fn read(
     // Each corner is off by what the straight part and the arcs beside it are.
     let Factors { length, radius, twist, angle } = digits;
     let rounding = Rounding { length_mm: length.hypot(radius), angle_deg: twist.max(angle) };
-    finish(Format::Lra, source, options, Written { steps, lines, rounding }, false, notes)
+    finish(
+        Format::Lra,
+        source,
+        options,
+        Written { steps, lines, rounding, ..Written::default() },
+        false,
+        notes,
+    )
 }
 
 /// What a row needs to be read.

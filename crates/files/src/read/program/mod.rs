@@ -92,6 +92,7 @@ pub fn wireframe_of_path(
 pub(crate) struct Commands {
     steps: Vec<Step>,
     lines: Vec<usize>,
+    bent_in: Vec<Option<usize>>,
     step: Step,
     /// Whether `step` holds a feed already.
     fed: bool,
@@ -108,6 +109,8 @@ pub(crate) struct Written {
     pub(crate) steps: Vec<Step>,
     /// None where the file has none.
     pub(crate) lines: Vec<usize>,
+    /// The line of the bend of each, where that is another.
+    pub(crate) bent_in: Vec<Option<usize>>,
     pub(crate) rounding: Rounding,
 }
 
@@ -140,6 +143,8 @@ impl Commands {
     pub(crate) fn bend(&mut self, line: usize, angle: Angle) {
         self.note_line(line);
         self.step.bend = angle;
+        self.bent_in.resize(self.steps.len(), None);
+        self.bent_in.push(Some(line));
         self.close();
     }
 
@@ -198,7 +203,7 @@ impl Commands {
         if self.fed {
             self.close();
         }
-        Written { steps: self.steps, lines: self.lines, rounding: self.rounding }
+        Written { steps: self.steps, lines: self.lines, bent_in: self.bent_in, rounding: self.rounding }
     }
 }
 
@@ -234,7 +239,7 @@ pub(crate) fn finish(
     format: Format,
     source: Source<'_>,
     options: &ReadOptions,
-    Written { steps, lines, rounding }: Written,
+    Written { steps, lines, bent_in, rounding }: Written,
     told: bool,
     mut notes: Notes,
 ) -> Result<Imported, ReadError> {
@@ -244,7 +249,8 @@ pub(crate) fn finish(
     // As a corner it would be a smaller bend to the other side. How far an axis was told to go is another matter.
     let beyond = |step: &Step| !(told || options.commanded) && step.bend.abs().deg() > MOST_BEND_DEG;
     if let Some(index) = steps.iter().position(beyond) {
-        let place = lines.get(index).map_or(Location::Item("step", index + 1), |&line| Location::Line(line));
+        let line = bent_in.get(index).copied().flatten().or_else(|| lines.get(index).copied());
+        let place = line.map_or(Location::Item("step", index + 1), Location::Line);
         return Err(ReadError::NoCorner {
             file: source.name.to_owned(),
             place,

@@ -218,10 +218,11 @@ fn programs() {
     );
     check(
         "a.txt",
-        &["F 10\nG 20\n", "F 10\nB x\n"],
+        &["F 10\nG 20\n", "F 10\nB x\n", "F 60\nB 90\nF 60\nR 90\nB 190\nF 60\n"],
         &expect![[r#"
             read-syntax: a.txt, line 2: found "G 20", expected F, R or B and one number [CorrectFile]
             read-number: a.txt, line 2: "x" is not a finite number [CorrectFile]
+            read-no-corner: a.txt, line 5: a bend of 190.000° has no corner, it goes beyond half a turn [SplitBend]
         "#]],
     );
 }
