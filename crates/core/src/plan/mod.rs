@@ -2,6 +2,7 @@
 
 mod closing;
 mod contacts;
+mod head;
 mod helps;
 mod routing;
 mod searching;

@@ -1,6 +1,6 @@
 //! What the checks see of a wire.
 
-use super::stages::sent_beyond;
+use super::head::sent_beyond;
 use super::{Machine, WirePlan};
 use crate::checks::{Diagnostic, WireStages, check_wire};
 use crate::compensate::{BendError, CompensatedProgram, StepError};

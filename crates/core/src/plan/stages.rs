@@ -1,11 +1,12 @@
 //! The stages after the route.
 
 use super::contacts::{self, ContactOptions};
+use super::head::commanded_beyond;
 use super::seen::stages_of;
 use super::{Machine, Stage, WirePlan};
 use crate::bend::{NominalProgram, PathError, program_of_path};
 use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity, WireStages, check_wire};
-use crate::compensate::{CompensatedProgram, StepError, compensate};
+use crate::compensate::{StepError, compensate};
 use crate::estimate::stock;
 use crate::route::ForcedBend;
 use crate::schedule::{HeadLimits, RotationOutOfRange, ScheduledProgram, schedule};
@@ -155,30 +156,6 @@ fn run_stages(
         }
     }
     done(Stage::Compensate);
-}
-
-/// The first step for which a head that is off is sent farther than it can turn.
-fn commanded_beyond(program: &CompensatedProgram, machine: &Machine) -> Option<RotationOutOfRange> {
-    if machine.compensation.motion.is_exact() {
-        return None;
-    }
-    sent_beyond(program, machine, Angle::computed(1e-9))
-}
-
-/// The first step for which the head is sent farther than it can turn, but for rounding.
-pub(super) fn sent_beyond(
-    program: &CompensatedProgram,
-    machine: &Machine,
-    rounding: Angle,
-) -> Option<RotationOutOfRange> {
-    let HeadLimits { min, max, .. } = machine.head;
-    let sent = program.steps().iter().scan(Angle::ZERO, |at, step| {
-        *at += step.rotate;
-        Some(*at)
-    });
-    let beyond = |at: &Angle| *at < min - rounding || *at > max + rounding;
-    let (step, wanted) = sent.enumerate().find(|(_, at)| beyond(at))?;
-    Some(RotationOutOfRange { step, wanted, commanded: true, min, max })
 }
 
 /// The finding of a route with a segment without length. The check of the design names the edge by its vertices too.
