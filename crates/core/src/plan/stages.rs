@@ -75,6 +75,9 @@ pub fn fastest_schedule(
 ) -> Result<ScheduledProgram, RotationOutOfRange> {
     let within = |limits: HeadLimits| schedule(nominal, &limits, |bend| bend_seconds(machine, bend));
     let first = within(machine.head)?;
+    if machine.compensation.motion.is_exact() {
+        return Ok(first);
+    }
     let (mut limits, mut found) = (machine.head, first.clone());
     // A head that is off is sent farther than it is to come: where that is too far it is to come less far.
     for _ in 0..MAX_NARROWED {
