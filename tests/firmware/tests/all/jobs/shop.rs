@@ -55,11 +55,6 @@ impl Ran {
         serde_json::from_str(&self.out).unwrap_or_else(|error| panic!("{error}: {}\n{}", self.out, self.err))
     }
 
-    /// Whether it has lost its machine, which nothing has happened to: it had no processor for longer than the driver waits.
-    pub fn was_starved(&self) -> bool {
-        self.err.contains("the machine has not answered for more than a second")
-    }
-
     /// The message, if it has these words.
     #[track_caller]
     pub fn says(self, words: &str) -> Self {
@@ -98,30 +93,15 @@ impl Running {
         self.heard(moment);
     }
 
-    /// The same; whether it was reached, and not lost before since the machine had no processor for a second.
-    #[track_caller]
-    pub fn reached_unless_starved(&self, moment: &Receiver<()>) -> bool {
-        self.heard_unless(moment, Ran::was_starved).is_some()
-    }
-
     /// Waits for something that is reported of the job that it runs.
     #[track_caller]
     pub fn heard<T>(&self, tells: &Receiver<T>) -> T {
-        self.heard_unless(tells, |_| false).expect("it has not ended")
-    }
-
-    /// Nothing once it has ended in such a way.
-    #[track_caller]
-    fn heard_unless<T>(&self, tells: &Receiver<T>, ended_so: impl Fn(&Ran) -> bool) -> Option<T> {
         let begun = Instant::now();
         loop {
             if let Ok(told) = tells.recv_timeout(LOOK) {
-                return Some(told);
+                return told;
             }
             let ended = self.ended.try_recv();
-            if ended.as_ref().is_ok_and(&ended_so) {
-                return None;
-            }
             assert!(ended.is_err() && begun.elapsed() < DEADLINE, "the job does not get there: {ended:?}");
         }
     }
@@ -182,19 +162,6 @@ impl Shop {
             let _ = end.send(Ran { status: done.status, out: text(done.stdout), err: text(done.stderr) });
         });
         Running { pid, ended }
-    }
-
-    /// What an attempt gives that ends well; where the machine was lost for want of the processors there is another.
-    #[track_caller]
-    pub fn patiently<T>(mut attempt: impl FnMut() -> (Ran, T)) -> T {
-        for _ in 0..3 {
-            let (ran, told) = attempt();
-            if !ran.was_starved() {
-                ran.ended(0);
-                return told;
-            }
-        }
-        panic!("the machine has not had the processors for as long as it takes");
     }
 
     #[track_caller]

@@ -64,41 +64,34 @@ impl fmt::Display for Case {
 const HOST_LOST: u64 = HZ + 25 * MS;
 
 impl Case {
-    /// Tries it; says how it went. Where the machine was lost before, for want of the processors, it is tried again.
+    /// Tries it; says how it went.
     pub fn try_on<B: Board + Send + 'static>(&self, job: &Job) -> Went {
-        let went = (1..=3).find_map(|attempt| self.attempt::<B>(job, attempt));
-        went.expect("the machine to have the processors for as long as it takes")
-    }
-
-    fn attempt<B: Board + Send + 'static>(&self, job: &Job, attempt: usize) -> Option<Went> {
         let moment = Moment::of(&job.whole().pulses, self.line, self.phase, self.percent);
-        let runs = format!("{}-{self}-{attempt}", B::NAME).replace([' ', ',', '%'], "-");
+        let runs = format!("{}-{self}", B::NAME).replace([' ', ',', '%'], "-");
         let at = AtPort::<B>::new(GEARS, Some(&job.stored), self.reset_on_open);
         let file = job.file.to_str().unwrap();
         let running = job.shop.start(&runs, &["run", file, "--port", &at.port, "--yes"]);
-        let (since, ran) = self.interrupt(&at, moment, running)?;
+        let (since, ran) = self.interrupt(&at, moment, running);
         self.check_end(&ran);
         at.until_still();
         self.check_quiet(&at, since);
-        Some(self.go_on(job, &at, &runs))
+        self.go_on(job, &at, &runs)
     }
 
-    /// Gives the cycle from which on nothing is heard of the program; nothing where it is not come to.
+    /// Gives the cycle from which on nothing is heard of the program.
     fn interrupt<B: Board + Send + 'static>(
         &self,
         at: &AtPort<B>,
         moment: Moment,
         running: Running,
-    ) -> Option<(u64, Ran)> {
+    ) -> (u64, Ran) {
         let what = self.what;
         let hears = at.at(moment, move |bender| match what {
             What::ControllerReset => bender.reset(Reset::External),
             What::PowerLost => bender.reset(Reset::PowerOn),
             _ => {}
         });
-        if !running.reached_unless_starved(&hears) {
-            return None;
-        }
+        running.reached(&hears);
         match what {
             What::ProgramKilled => running.kill(Signal::KILL),
             What::DriverKilled => kill_process(running.driver(), Signal::KILL).unwrap(),
@@ -113,7 +106,7 @@ impl Case {
             at.until_still();
             at.board.plug_in().unwrap();
         }
-        Some((since, ran))
+        (since, ran)
     }
 
     fn check_end(&self, ran: &Ran) {

@@ -21,8 +21,6 @@ pub struct Went {
     pub asked: usize,
     /// The farthest that a corner of the wire is from where it should be, mm.
     pub off_mm: f64,
-    /// A person had to measure what the machine counts.
-    pub measured: bool,
     pub told: String,
 }
 /// A step of the head's motor.
@@ -84,7 +82,7 @@ impl Case {
             resume("--resume").ended(0);
             check_unbroken(job, at);
             let told = format!("{} steps were done, {known} known; the same wire came out", truth.whole);
-            Went { asked: 0, off_mm: 0.0, measured: false, told }
+            Went { asked: 0, off_mm: 0.0, told }
         } else {
             self.decide(job, at, &truth, known, resume)
         };
@@ -115,7 +113,7 @@ impl Case {
     ) -> Went {
         let before = at.with(|bender| bender.pulses.len());
         // A machine that was stopped counts where it stands, and a person confirms it; after a lost driver a person measures.
-        let mut tells = self.what == What::Stopped;
+        let tells = self.what == What::Stopped;
         let mut ran = resume("--resume");
         let mut asked = 0;
         let mut n = known;
@@ -136,11 +134,6 @@ impl Case {
                 Ordering::Greater => format!("--resume=not-made:{n}"),
             };
             ran = resume(&answer);
-            // A driver that had no processor for as long as it has to pass a stop on is ended, and a person measures, too.
-            if tells && ran.err.contains("has not counted how much of step") {
-                tells = false;
-                ran = resume(&format!("--resume=part:{n}:{fed}:{turned}"));
-            }
         }
         let on_its_way = truth.part.last().is_some_and(|pulse| pulse.axis != Axis::Bend);
         assert!(!tells || asked <= usize::from(on_its_way), "asked {asked} times of what the machine knows");
@@ -171,8 +164,7 @@ impl Case {
             truth.whole,
             truth.part.len()
         );
-        let measured = self.what == What::Stopped && !tells;
-        Went { asked, off_mm, measured, told }
+        Went { asked, off_mm, told }
     }
 }
 

@@ -62,24 +62,20 @@ impl Job {
         let file = shop.path("cube.wbjob");
         let job = file.to_str().unwrap();
         shop.ran("whole", &["plan", &example("cube-8-edges.obj"), "--machine", MACHINE, "-o", job]).ended(0);
-        let stored = Shop::patiently(|| {
-            let at = AtPort::<Host>::new(GEARS, None, true);
-            let settings = ["machine-settings", "--machine", MACHINE, "--port", &at.port, "--write", "--yes"];
-            (shop.ran("whole", &settings), at.with(|bender| bender.board.stored()))
-        });
+        let at = AtPort::<Host>::new(GEARS, None, true);
+        let settings = ["machine-settings", "--machine", MACHINE, "--port", &at.port, "--write", "--yes"];
+        shop.ran("whole", &settings).ended(0);
+        let stored = at.with(|bender| bender.board.stored());
         Self { shop, file, stored, whole: OnceLock::new() }
     }
 
     /// Run the first time that a test asks, which takes as long as a cube does.
     pub fn whole(&self) -> &Whole {
         self.whole.get_or_init(|| {
-            let mut attempt = 0;
-            let bender = Shop::patiently(|| {
-                attempt += 1;
-                let at = AtPort::<Host>::new(GEARS, Some(&self.stored), true);
-                let run = ["run", self.file.to_str().unwrap(), "--port", &at.port, "--yes"];
-                (self.shop.ran(&format!("whole-{attempt}"), &run), at.board.stop().unwrap())
-            });
+            let at = AtPort::<Host>::new(GEARS, Some(&self.stored), true);
+            let run = ["run", self.file.to_str().unwrap(), "--port", &at.port, "--yes"];
+            self.shop.ran("whole", &run).ended(0);
+            let bender = at.board.stop().unwrap();
             assert_eq!(bender.incidents(), Vec::<String>::new());
             let (pulses, corners) = (bender.pulses.job().to_vec(), bender.made().corners());
             assert_eq!(corners.len(), 9, "{corners:?}");
