@@ -19,7 +19,8 @@ beforeEach(() => {
 const press = (on: Element, init: KeyboardEventInit) =>
   act(() => void on.dispatchEvent(new KeyboardEvent("keydown", { bubbles: true, cancelable: true, ...init })));
 
-it("a size and a factor of nothing are refused in the same words", () => {
+/** Two vertices are selected, 2 mm apart along x. */
+function showOfTwo(): void {
   useDesign.setState({
     vertices: new Map([
       [3, { id: 3, at: [0, 0, 1], support: false }],
@@ -28,6 +29,10 @@ it("a size and a factor of nothing are refused in the same words", () => {
   });
   act(() => select([3, 5]));
   at.show(<ScaleForm />);
+}
+
+it("a size and a factor of nothing are refused in the same words", () => {
+  showOfTwo();
   for (const field of at.host.querySelectorAll<HTMLInputElement>("input[inputmode=decimal]")) {
     act(() => {
       Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set?.call(field, "0");
@@ -39,14 +44,7 @@ it("a size and a factor of nothing are refused in the same words", () => {
 });
 
 it("the selection is scaled by Enter, to the size that was just typed along its largest side", async () => {
-  useDesign.setState({
-    vertices: new Map([
-      [3, { id: 3, at: [0, 0, 1], support: false }],
-      [5, { id: 5, at: [2, 1, 1], support: false }],
-    ]),
-  });
-  act(() => select([3, 5]));
-  at.show(<ScaleForm />);
+  showOfTwo();
   const [size] = at.host.querySelectorAll("input");
   if (!size) throw new Error("no field");
   press(size, { key: "Enter" });
