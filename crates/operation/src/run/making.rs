@@ -311,9 +311,8 @@ impl Making<'_, '_> {
             return Ok(None);
         }
         let kept = KeptWire::new(&self.task.file, self.task.wire(self.wire)?, &self.task.setup)?;
-        let corners = kept.corners(&heard.corners_mm);
-        let deviations_mm = kept.deviations_mm(&corners);
-        Ok(Some(Bent { corners_mm: corners.into_iter().map(Into::into).collect(), deviations_mm }))
+        let (corners_mm, deviations_mm) = kept.compare(&heard.corners_mm);
+        Ok(Some(Bent { corners_mm, deviations_mm }))
     }
 
     /// Writes the record.

@@ -118,10 +118,14 @@ impl KeptWire {
         Some(vertices)
     }
 
-    /// How far each vertex of the design is from where it lies on a wire whose corners are laid beside it, in mm.
-    pub fn deviations_mm(&self, made: &[Point3<f64>]) -> Option<Vec<f64>> {
-        let made = self.vertices_of(made)?;
-        Some(self.design.iter().zip(made).map(|(design, made)| (design - made).norm()).collect())
+    /// The corners of a bent wire laid beside the design by its first bend, and how far each vertex of the design is from where it lies on
+    /// it then, in mm; `None` where the wire has another number of corners.
+    pub fn compare(&self, corners_mm: &[[f64; 3]]) -> (Vec<[f64; 3]>, Option<Vec<f64>>) {
+        let corners = self.by_first_bend(corners_mm);
+        let off = |(design, made): (&Point3<f64>, Point3<f64>)| (design - made).norm();
+        let deviations =
+            self.vertices_of(&corners).map(|made| self.design.iter().zip(made).map(off).collect());
+        (corners.into_iter().map(Into::into).collect(), deviations)
     }
 
     /// The points of a bent wire, laid beside the design.
@@ -131,7 +135,7 @@ impl KeptWire {
 
     /// The corners of a bent wire, laid beside the design with its first bend in the plane of the design's: a head that has play does not
     /// know where in that its zero is, and all of the wire is turned by it.
-    pub fn corners(&self, corners_mm: &[[f64; 3]]) -> Vec<Point3<f64>> {
+    fn by_first_bend(&self, corners_mm: &[[f64; 3]]) -> Vec<Point3<f64>> {
         let made = self.wire(corners_mm);
         let Frame { position, .. } = self.start;
         let axis = Unit::new_normalize(self.start.t());
