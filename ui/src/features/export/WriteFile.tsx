@@ -47,7 +47,9 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
     setProblem(null);
     if (thenWrite) await go(picked, true);
   };
-  const refused = preview?.format === format.id ? preview.refused : null;
+  const answered = preview?.format === format.id ? preview.refused : null;
+  // What was refused before a person said that it is to be written all the same: the next preview is on its way.
+  const refused = answered?.errors && despiteErrors ? null : answered;
   // What Check found of collisions is no part of the preview, which does not look for them.
   const infeasible = useDesign(isRefused);
   const withheld = format.program && infeasible && !despiteErrors ? "The machine cannot bend this: see above." : null;
