@@ -6,6 +6,7 @@ const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), 
 vi.mock("../../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
 import { place } from "../../../shared/testing";
+import type { Because, MachineState, Phase } from "../../../state/machine/operator";
 import { useRun } from "../../../state/machine/run";
 import { machineState } from "../../../state/testing";
 import { ConsoleInput } from "./ConsoleInput";
@@ -32,6 +33,11 @@ const press = (key: string) =>
     field().dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
     await new Promise((done) => setTimeout(done, 0));
   });
+const refusing = (phase: Phase, because: Because): MachineState => ({
+  ...machineState(phase),
+  busy: phase !== "ready" && phase !== "armed",
+  cannot: [{ order: "console", because }],
+});
 const sent = () => platform.ask.mock.calls.map(([, given]) => given.request?.line);
 
 it("sends a line with Enter, and recalls those before with the arrows", async () => {
@@ -60,16 +66,44 @@ it("keeps a line that was not taken", async () => {
   expect(field().value).toBe("$X");
 });
 
+it("sends a line once what is on its way is answered, and keeps what is typed meanwhile", async () => {
+  let answer = () => {};
+  platform.ask.mockImplementationOnce(
+    () => new Promise((done) => (answer = () => done({ state: useRun.getState().state }))),
+  );
+  at.show(<ConsoleInput />);
+  type("$$");
+  await press("Enter");
+  type("$#");
+  await press("Enter");
+  expect([field().value, sent()]).toEqual(["$#", ["$$"]]);
+  expect(at.host.querySelector("button")?.title).toMatch(/sent once the machine is done/);
+  await act(async () => answer());
+  expect([field().value, sent()]).toEqual(["", ["$$", "$#"]]);
+});
+
+it.each([
+  ["is changed", () => type("$$ ")],
+  ["is given up", () => press("Escape")],
+  ["cannot be sent any more", () => act(() => useRun.setState({ state: refusing("armed", "wire-armed") }))],
+])("sends no line that %s while it waits", async (_, meanwhile) => {
+  useRun.setState({ state: refusing("homing", "homing") });
+  at.show(<ConsoleInput />);
+  type("$$");
+  await press("Enter");
+  await meanwhile();
+  act(() => useRun.setState({ state: machineState("ready") }));
+  expect(field().value.trim()).toBe("$$");
+  expect(platform.ask).not.toHaveBeenCalled();
+});
+
 it("says why nothing can be typed", async () => {
   for (const [state, why] of [
     [null, "Connect a machine first."],
-    [{ ...machineState("making"), cannot: [{ order: "console", because: "wire-under-way" }] }, "A wire is being bent."],
-    [
-      { ...machineState("ready"), cannot: [{ order: "console", because: "unable" }] },
-      "This machine's driver takes no typed lines.",
-    ],
+    [refusing("making", "wire-under-way"), "A wire is being bent."],
+    [refusing("ready", "unable"), "This machine's driver takes no typed lines."],
   ] as const) {
-    useRun.setState({ state: state as ReturnType<typeof machineState> | null });
+    useRun.setState({ state });
     at.show(<ConsoleInput />);
     expect(field().placeholder).toBe(why);
     expect(field().readOnly).toBe(true);
