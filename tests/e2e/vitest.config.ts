@@ -1,7 +1,6 @@
 import { defineConfig } from "vitest/config";
 
-// One file after the other, because what is installed needs the screen for itself; `npm run browser` has two browsers at a time, and may
-// run beside.
+// One file after the other, because what is installed needs the screen for itself; `npm run browser` has two browsers at a time.
 export default defineConfig({
   test: {
     include: ["{browser,installed,screenshots}/**/*.test.ts"],
