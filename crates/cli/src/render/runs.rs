@@ -81,10 +81,12 @@ pub(super) fn show(out: &mut impl Write, found: &RunsShowResponse) -> std::io::R
             None => format!("step {step} was not done"),
             Some(PartInWire { feed_mm, rotate_deg, by }) => {
                 let by = match by {
-                    ToldBy::Machine => "the machine counted",
-                    ToldBy::Person => "a person said",
+                    ToldBy::Machine => "it",
+                    ToldBy::Person => "a person",
                 };
-                format!("of step {step} {feed_mm:.1} mm were fed and {rotate_deg:.1}° turned, as {by}")
+                format!(
+                    "of step {step} {feed_mm:.1} mm were fed and {rotate_deg:.1}° turned by the machine's own count, as {by} said"
+                )
             }
         };
         line("decided", &format!("{}: {what}", decision.at))?;
