@@ -199,3 +199,24 @@ fn what_is_exported_is_read_back_with_the_same_vertices_and_edges() {
         }
     }
 }
+
+/// A job has its machine and its wire: others beside it would be passed over.
+#[test]
+fn a_job_is_run_with_no_other_machine_and_no_other_wire() {
+    let folder = tempfile::tempdir().unwrap();
+    let house = example("house.obj");
+    run_in(folder.path(), &["plan", &house, "-m", "wirebend-kit", "--double", "-o", "house.wbjob"], b"")
+        .ended(0);
+    let run = |command: &str, option: &str, id: &str| {
+        let words = [command, "house.wbjob", "--port", "sim:max", "--yes", option, id];
+        run_in(folder.path(), &words, b"").ended(2).err
+    };
+    for command in ["run", "dry-run"] {
+        let said = run(command, "--machine", "pensa-diwire-pro");
+        assert!(said.contains("planned for machine 'wirebend-kit', not 'pensa-diwire-pro'"), "{said}");
+        let said = run(command, "--material", "steel-0-9mm");
+        assert!(said.contains("material would have no effect"), "{said}");
+    }
+    let same = ["run", "house.wbjob", "--port", "sim:max", "--yes", "--material", "aluminium-6061-t6-3mm"];
+    run_in(folder.path(), &same, b"").ended(0);
+}

@@ -7,7 +7,7 @@ use wirebend_driver_host::api::{Bench, DoneBy};
 use wirebend_driver_host::jobs::{
     Clock, Entry, EntryKind, Heading, Journal, JournalError, Part, Record, SystemClock, WireJob,
 };
-use wirebend_error::{InputName, RunTarget};
+use wirebend_error::{ErrorRemedy, InputName, RunTarget};
 use wirebend_files::document::{Job, JobPause, JobStep, JobWire};
 
 use super::interrupted::Interrupted;
@@ -57,6 +57,10 @@ impl<'a> Task<'a> {
         if let Some(wanted) = request.machine.as_ref().filter(|wanted| *wanted != setup.machine_id()) {
             let (planned, wanted) = (setup.machine_id().to_owned(), wanted.clone());
             return Err(PlanningError::OtherMachine { name: file, planned, wanted }.into());
+        }
+        if request.material.as_ref().is_some_and(|wanted| wanted != setup.material_id()) {
+            let (inputs, instead) = (vec![InputName::Material], Box::new(ErrorRemedy::PlanAgain));
+            return Err(PlanningError::Settled { name: file, inputs, instead }.into());
         }
         require_feasible(&file, &job, &setup, &request)?;
         let simulated = &request.simulated_as;
