@@ -14,6 +14,10 @@ pub struct TimeModel {
     pub bend_deg_per_s: f64,
     /// What every bend takes besides its stroke (pin, settling), in s.
     pub fixed_per_bend_s: f64,
+    /// What every feed takes besides its motion, in s.
+    pub fixed_per_feed_s: f64,
+    /// What every turn of the head takes besides its motion, in s.
+    pub fixed_per_turn_s: f64,
 }
 
 /// How long the parts of a step take, in s.
@@ -54,8 +58,8 @@ impl TimeModel {
         let pressing = approach.map_or(0.0, |at| (at.abs() - told.step.bend.abs()).deg().max(0.0));
         let pressing = there_and_back(pressing).min(wait);
         StepSeconds {
-            feed: told.step.feed.abs().mm() / self.feed_mm_per_s,
-            rotate: told.step.rotate.abs().deg() / self.rotate_deg_per_s,
+            feed: moving(told.step.feed.mm(), self.feed_mm_per_s, self.fixed_per_feed_s),
+            rotate: moving(told.step.rotate.deg(), self.rotate_deg_per_s, self.fixed_per_turn_s),
             bend: if bends { self.bend_seconds(beyond_zero) - fixed + way + pressing } else { 0.0 },
             wait: wait - pressing,
         }
@@ -83,6 +87,11 @@ impl TimeModel {
     pub fn seconds(&self, program: &CompensatedProgram) -> f64 {
         self.each_step(program).map(|step| step.total()).sum()
     }
+}
+
+/// Seconds for a motion at a rate, and for what every one takes; what does not move takes nothing.
+fn moving(way: f64, rate: f64, fixed: f64) -> f64 {
+    if way == 0.0 { 0.0 } else { way.abs() / rate + fixed }
 }
 
 /// What the wire is.
@@ -133,6 +142,7 @@ pub fn stock(program: &CompensatedProgram, tail: Length) -> Length {
 
 #[cfg(test)]
 mod tests {
+    use super::{StepSeconds, TimeModel};
     use crate::bend::Step;
     use crate::compensate::ToldStep;
     use crate::testing::{deg, mm, published_machine};
@@ -153,6 +163,23 @@ mod tests {
         assert!((pressing - 2.0 * 8.25 / time.bend_deg_per_s).abs() < 1e-9, "{pressing}");
         assert_eq!(bend(0.0, None), (0.0, 0.0), "no bend");
         assert!((bend(10.0, Some(-18.25)).0 - 20.0 / time.bend_deg_per_s).abs() < 1e-9);
+    }
+
+    /// 50 mm at 25 mm/s, and 90° at 45°/s, each after 1.5 s in which nothing moves.
+    #[test]
+    fn what_feeds_and_turns_takes_what_each_does_besides() {
+        let time = TimeModel {
+            feed_mm_per_s: 25.0,
+            rotate_deg_per_s: 45.0,
+            fixed_per_feed_s: 1.5,
+            fixed_per_turn_s: 1.5,
+            ..published_machine().time
+        };
+        let step = Step { feed: mm(50.0), rotate: deg(-90.0), ..Step::default() };
+        let seconds = time.step_seconds(&ToldStep { step, approach: None }, Angle::ZERO);
+        assert_eq!(seconds, StepSeconds { feed: 3.5, rotate: 3.5, ..StepSeconds::default() });
+        let still = time.step_seconds(&ToldStep { step: Step::default(), approach: None }, Angle::ZERO);
+        assert_eq!(still, StepSeconds::default());
     }
 
     #[test]

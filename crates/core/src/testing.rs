@@ -53,7 +53,12 @@ pub(crate) fn published_machine() -> Machine {
             axis_source: from("the paper"),
             head_not_measured: false,
         },
-        head: HeadLimits { min: deg(-360.0), max: deg(360.0), seconds_per_degree: 1.0 / 131.3 },
+        head: HeadLimits {
+            min: deg(-360.0),
+            max: deg(360.0),
+            seconds_per_degree: 1.0 / 131.3,
+            seconds_per_turn: 0.0,
+        },
         compensation: Compensation {
             feed: Some(FeedModel::new(mm(1.5), mm(3.0), 0.3)),
             bend: BendModel {
@@ -69,6 +74,8 @@ pub(crate) fn published_machine() -> Machine {
             rotate_deg_per_s: 131.3,
             bend_deg_per_s: 15.1,
             fixed_per_bend_s: 5.0,
+            fixed_per_feed_s: 0.0,
+            fixed_per_turn_s: 0.0,
         },
         wire: WireModel {
             diameter: mm(3.0),

@@ -221,6 +221,7 @@ fn model(
             min: deg(limits.min_rotation_deg)?,
             max: deg(limits.max_rotation_deg)?,
             seconds_per_degree: 1.0 / figures.rotate_rate_deg_per_s,
+            seconds_per_turn: figures.fixed_per_turn_s,
         },
         compensation: Compensation {
             feed: figures.compensate_feed.then(|| FeedModel::new(pin, diameter, wire.k_factor)),
@@ -236,6 +237,8 @@ fn model(
             rotate_deg_per_s: figures.rotate_rate_deg_per_s,
             bend_deg_per_s: figures.bend_rate_deg_per_s,
             fixed_per_bend_s: figures.fixed_per_bend_s,
+            fixed_per_feed_s: figures.fixed_per_feed_s,
+            fixed_per_turn_s: figures.fixed_per_turn_s,
         },
         wire: WireModel {
             diameter,

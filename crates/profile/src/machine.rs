@@ -216,5 +216,9 @@ layer! {
     pub struct Time {
         /// Time of a bend that is not the stroke: pin, settling; seconds.
         pub fixed_per_bend_s: Sourced<f64>,
+        /// Time of a feed that is not its motion, such as a pause of the controller before it; seconds, none if absent.
+        pub fixed_per_feed_s: Sourced<f64>,
+        /// The same of a turn of the head.
+        pub fixed_per_turn_s: Sourced<f64>,
     }
 }

@@ -25,7 +25,7 @@ impl Settings {
         time(self.boot_s)
     }
 
-    fn with_margin(&self) -> f64 {
+    pub(crate) fn with_margin(&self) -> f64 {
         1.0 + self.margin_percent / 100.0
     }
 
@@ -46,6 +46,8 @@ impl Settings {
 
 #[cfg(test)]
 mod tests {
+    use wirebend_driver_api::Axis;
+
     use super::*;
 
     /// Worked out by hand from the rates of the published sketch: 25 mm/s, 31.25, 43.75 and 75 degrees/s.
@@ -60,6 +62,29 @@ mod tests {
         close(Command::Rotate(-125), 1.3 + 4.0);
         close(Command::Bend(105), 1.3 + 2.4 + 1.4 + 0.6);
         close(Command::Bend(-105), 1.3 + 2.4 + 1.4 + 0.6 + 1.6);
+    }
+
+    /// What is planned with the machine's profile is what a wire takes: seven feeds, turns and bends, of which every second one is
+    /// negative.
+    #[test]
+    fn the_profile_has_the_times_of_the_commands() {
+        let profile: serde_json::Value =
+            serde_json::from_str(include_str!("../../../machine-profiles/machines/howtomechatronics.json"))
+                .unwrap();
+        let settings: Settings = serde_json::from_value(profile["driver"]["settings"].clone()).unwrap();
+        let fixed = |key: &str| profile["time"][key]["value"].as_f64().unwrap();
+        let rates = crate::limits::of(&settings).rates;
+        let rate = |axis| rates.iter().find(|rate| rate.axis == axis).unwrap().per_s;
+        for (commands, way, axis, key) in [
+            (vec![Command::Feed(50)], 50.0, Axis::Feed, "fixed_per_feed_s"),
+            (vec![Command::Rotate(-125)], 125.0, Axis::Rotate, "fixed_per_turn_s"),
+            (vec![Command::Bend(90), Command::Bend(-90)], 2.0 * 90.0, Axis::Bend, "fixed_per_bend_s"),
+        ] {
+            let takes: f64 = commands.iter().map(|command| settings.whole(*command).as_secs_f64()).sum();
+            let each = takes / f64::from(u32::try_from(commands.len()).unwrap());
+            let planned = way / rate(axis) + fixed(key);
+            assert!((planned - each).abs() < 0.05, "{key}: {planned} s, and the commands take {each} s");
+        }
     }
 
     #[test]

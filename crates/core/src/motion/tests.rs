@@ -87,7 +87,8 @@ const RIGHT: &[[f64; 3]] =
 fn both(path: &[[f64; 3]]) -> [Case; 2] {
     let path: Vec<Point3<f64>> = path.iter().copied().map(Point3::from).collect();
     let (start, nominal) = program_of_path(&path, deg(1e-9)).unwrap();
-    let limits = HeadLimits { min: deg(-200.0), max: deg(200.0), seconds_per_degree: 1.0 };
+    let limits =
+        HeadLimits { min: deg(-200.0), max: deg(200.0), seconds_per_degree: 1.0, seconds_per_turn: 0.0 };
     let scheduled = schedule(&nominal, &limits, |_| Some(1.0)).unwrap().steps;
     let begins = scheduled_start(start, &scheduled);
     [(path.clone(), start, nominal.steps), (path, begins, scheduled)]

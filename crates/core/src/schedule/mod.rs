@@ -19,6 +19,16 @@ pub struct HeadLimits {
     pub max: Angle,
     /// How long it takes to turn by one degree, in seconds.
     pub seconds_per_degree: f64,
+    /// What every turn takes besides, in seconds.
+    pub seconds_per_turn: f64,
+}
+
+impl HeadLimits {
+    /// Nanoseconds for a turn of the head.
+    pub(crate) fn turning(&self, turn: Angle) -> i64 {
+        let fixed = if turn == Angle::ZERO { 0.0 } else { self.seconds_per_turn };
+        nanoseconds(turn.abs().deg() * self.seconds_per_degree + fixed)
+    }
 }
 
 /// A program with the way of every bend chosen: bends are signed, rotations are the head's own
@@ -178,7 +188,7 @@ fn fastest(
     (mut unflipped, first): (Angle, Vec<(Angle, bool)>),
 ) -> Result<(i64, Vec<BendChoice>), RotationOutOfRange> {
     let mut layers: Vec<Vec<BendChoice>> = Vec::with_capacity(bends.len());
-    let turning = |turn: Angle| nanoseconds(turn.abs().deg() * limits.seconds_per_degree);
+    let turning = |turn: Angle| limits.turning(turn);
     let begin = |(head, flipped): (Angle, bool)| BendChoice {
         head,
         flipped,

@@ -9,7 +9,7 @@ fn deg(value: f64) -> Angle {
 }
 
 fn limits(min: f64, max: f64) -> HeadLimits {
-    HeadLimits { min: deg(min), max: deg(max), seconds_per_degree: 1.0 }
+    HeadLimits { min: deg(min), max: deg(max), seconds_per_degree: 1.0, seconds_per_turn: 0.0 }
 }
 
 fn program(turns: &[(f64, f64)]) -> NominalProgram {

@@ -151,9 +151,7 @@ impl StepQuestion<'_> {
         if bend.weight > 0 && !self.despite_contacts {
             return Err(bend.obstacle);
         }
-        let turn = |from: &HeadState| {
-            nanoseconds((head - from.head).abs().deg() * self.bender.head.seconds_per_degree)
-        };
+        let turn = |from: &HeadState| self.bender.head.turning(head - from.head);
         let least = |(k, from): (usize, &HeadState)| {
             let met = from.met + feeds.of(from.flipped).weight + bend.weight;
             (met, from.spent.saturating_add(turn(from)).saturating_add(cost.of(flipped)), k)

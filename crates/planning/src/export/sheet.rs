@@ -208,6 +208,8 @@ fn figures(setup: &Setup, unit: DisplayUnit) -> Vec<Figure> {
         figure(of_machine, "rotate speed", &machine.rotate.rate_deg_per_s, &turning),
         figure(of_machine, "bend speed", &bend.rate_deg_per_s, &turning),
         figure(of_machine, "overhead of each bend", &machine.time.fixed_per_bend_s, &|s| format!("{s} s")),
+        figure(of_machine, "overhead of each feed", &machine.time.fixed_per_feed_s, &|s| format!("{s} s")),
+        figure(of_machine, "overhead of each turn", &machine.time.fixed_per_turn_s, &|s| format!("{s} s")),
         figure(of_material, "density", &material.density_kg_per_m3, &|d| format!("{d} kg/m³")),
         figure(of_material, priced, &material.price_per_mm, &price),
     ]

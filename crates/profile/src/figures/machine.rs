@@ -52,6 +52,10 @@ pub struct MachineFigures {
     pub rotate_sign: f64,
     /// Time of a bend beside its stroke, seconds.
     pub fixed_per_bend_s: f64,
+    /// Time of a feed beside its motion, seconds.
+    pub fixed_per_feed_s: f64,
+    /// Time of a turn of the head beside its motion, seconds.
+    pub fixed_per_turn_s: f64,
 }
 
 const fn one() -> f64 {
@@ -133,6 +137,8 @@ impl Complete for MachineProfile {
             bend_sign: self.signs.bend.as_ref()?.factor(),
             rotate_sign: self.signs.rotate.as_ref()?.factor(),
             fixed_per_bend_s: v(&self.time.fixed_per_bend_s)?,
+            fixed_per_feed_s: v(&self.time.fixed_per_feed_s).unwrap_or_default(),
+            fixed_per_turn_s: v(&self.time.fixed_per_turn_s).unwrap_or_default(),
         })
     }
 }

@@ -147,6 +147,8 @@ impl MachineProfile {
             ("limits.min_feed_mm", &self.limits.min_feed_mm),
             ("limits.tail_mm", &self.limits.tail_mm),
             ("time.fixed_per_bend_s", &self.time.fixed_per_bend_s),
+            ("time.fixed_per_feed_s", &self.time.fixed_per_feed_s),
+            ("time.fixed_per_turn_s", &self.time.fixed_per_turn_s),
         ];
         for (key, figure) in zero_or_more {
             within(faults, key, figure, 0.0, f64::MAX);

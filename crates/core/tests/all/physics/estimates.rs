@@ -49,6 +49,8 @@ fn times(page: &mut Document) {
         rotate_deg_per_s: rotate.value,
         bend_deg_per_s: bend.value,
         fixed_per_bend_s: fixed.value,
+        fixed_per_feed_s: 0.0,
+        fixed_per_turn_s: 0.0,
     };
     let right_angle = published().bend.command(deg(angle.value)).unwrap();
     one.is(model.bend_seconds(right_angle));

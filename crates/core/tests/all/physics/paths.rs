@@ -106,7 +106,12 @@ fn turned_head(page: &mut Document) {
         &[step(10.0, 0.0, 90.0), step(10.0, rotate.value, bend.value), step(10.0, 0.0, 0.0)],
     );
     let (_, program) = program_of_path(&path, deg(1e-9)).unwrap();
-    let limits = HeadLimits { min: deg(-limit.value), max: deg(limit.value), seconds_per_degree: 1.0 };
+    let limits = HeadLimits {
+        min: deg(-limit.value),
+        max: deg(limit.value),
+        seconds_per_degree: 1.0,
+        seconds_per_turn: 0.0,
+    };
     let scheduled = schedule(&program, &limits, |_| Some(1.0)).unwrap();
     turn.is(scheduled.steps[1].rotate.deg());
     made.is(scheduled.steps[1].bend.deg());

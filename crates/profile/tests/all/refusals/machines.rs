@@ -100,6 +100,7 @@ fn a_machine_that_contradicts_itself_is_refused() {
         ),
         ("bend.axis_limit_deg", 0.0, "expected a value above 0"),
         ("time.fixed_per_bend_s", -1.0, "expected 0 or more"),
+        ("time.fixed_per_turn_s", -1.0, "expected 0 or more"),
     ];
     for (key, value, expected) in cases {
         let (group, leaf) = key.split_once('.').unwrap();

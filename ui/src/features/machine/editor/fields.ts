@@ -134,6 +134,8 @@ export const MACHINE_GROUPS: readonly FieldGroup[] = [
         kind: "number",
         unit: "s",
       },
+      { key: "time.fixed_per_feed_s", label: "Each feed besides its motion", kind: "number", unit: "s", absent: "0" },
+      { key: "time.fixed_per_turn_s", label: "Each turn besides its motion", kind: "number", unit: "s", absent: "0" },
     ],
   },
   {
