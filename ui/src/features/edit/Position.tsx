@@ -5,7 +5,7 @@ import { Checkbox } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
 import { useDesign } from "../../state/design/design";
 import { AXES, axisIndex } from "../../state/design/geometry";
-import { moveBy, place, support } from "../../state/design/operations";
+import { moveBy, placeAlong, support } from "../../state/design/operations";
 import { isEmpty, useSelection, verticesOf } from "../../state/design/selection";
 import { run } from "../../state/window/commands";
 import { useView } from "../../state/window/view";
@@ -17,7 +17,7 @@ function with_(at: Vec3, axis: Axis, value: number): Vec3 {
   return changed;
 }
 
-/** X, Y and Z in a row. `onEnter` is given the place as it was read just now. */
+/** X, Y and Z in a row. `change` is given the axis too: of a place that is asked for the others may be on their way still. `onEnter` is given the place as it was read just now. */
 export function PlaceFields({
   at,
   change,
@@ -26,7 +26,7 @@ export function PlaceFields({
   onEnter,
 }: {
   readonly at: Vec3;
-  readonly change: (at: Vec3) => void;
+  readonly change: (at: Vec3, axis: Axis, value: number) => void;
   readonly label: string;
   readonly why?: string | null;
   readonly onEnter?: (at: Vec3) => void;
@@ -40,7 +40,7 @@ export function PlaceFields({
           prefix={axis.toUpperCase()}
           value={at[axisIndex(axis)]}
           why={why}
-          onCommit={(value) => change(with_(at, axis, value))}
+          onCommit={(value) => change(with_(at, axis, value), axis, value)}
           {...(onEnter ? { onEnter: (value: number) => onEnter(with_(at, axis, value)) } : {})}
         />
       ))}
@@ -97,7 +97,7 @@ export function Position() {
             key={vertex.id}
             at={vertex.at}
             label={`Vertex ${vertex.id}`}
-            change={(at) => void place(vertex.id, at)}
+            change={(_, axis, value) => void placeAlong(vertex.id, axis, value)}
           />
           <div className="move-by" />
         </>

@@ -7,7 +7,7 @@ import { useLengths } from "../../shared/figures/unit";
 import { Rows, type RowsHandle } from "../../shared/lists/Rows";
 import { useDesign } from "../../state/design/design";
 import { AXES, axisIndex, degrees } from "../../state/design/geometry";
-import { place } from "../../state/design/operations";
+import { placeAlong } from "../../state/design/operations";
 import { highlight, select, useSelection } from "../../state/design/selection";
 import { frame } from "../../state/window/view";
 import { marksOf } from "../viewport/marks";
@@ -103,11 +103,7 @@ export function VertexTable() {
                   <NumberField
                     label={`Vertex ${id}, ${axis.toUpperCase()}`}
                     value={at[axisIndex(axis)]}
-                    onCommit={(value) => {
-                      const to: [number, number, number] = [...at];
-                      to[axisIndex(axis)] = value;
-                      void place(id, to);
-                    }}
+                    onCommit={(value) => void placeAlong(id, axis, value)}
                   />
                 </span>
               ))}

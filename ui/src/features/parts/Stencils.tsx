@@ -44,11 +44,11 @@ function Placing({ stencil, why }: { readonly stencil: StencilView | undefined; 
             at={at}
             label="Centre of the stencil"
             why={why}
-            change={(to) =>
+            change={(_, axis, value) =>
               put(({ shift_mm: before = [0, 0, 0] }) => {
-                // The other axes may be on their way still.
-                const typed = (axis: 0 | 1 | 2) => (to[axis] === at[axis] ? before[axis] : to[axis] - middle[axis]);
-                return { shift_mm: [typed(0), typed(1), typed(2)] };
+                const shifted: Triple = [...before];
+                shifted[axisIndex(axis)] = value - middle[axisIndex(axis)];
+                return { shift_mm: shifted };
               })
             }
           />

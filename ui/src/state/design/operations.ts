@@ -4,7 +4,7 @@ import type { Axis, SceneJoint, Vec3 } from "../../scene/interface";
 import { tell } from "../asking/problems";
 import { editLines, lines } from "../construction/lines";
 import { chooseTool, useView } from "../window/view";
-import { edit, useDesign } from "./design";
+import { edit, editAsItIs, useDesign } from "./design";
 import { AXES, axisIndex, axisUnit, type Bounds, boundsOf, degrees, lengthOf, type Matrix, turning } from "./geometry";
 import { fromText, moved, pieceOf, toText } from "./piece";
 import { edgesOf, select, useSelection, verticesOf } from "./selection";
@@ -204,8 +204,15 @@ export async function moveBy(
   return editSelected((moving, lines) => ({ edit: "move", vertices: moving, lines, by_mm }), vertices, places);
 }
 
-export async function place(vertex: number, at: Vec3): Promise<void> {
-  await edit({ edit: "place", positions: [{ vertex, at_mm: [...at] }] });
+/** Puts a vertex elsewhere along one axis, mm. Along the others it stays where it is by then: they may have been asked for just before. */
+export async function placeAlong(vertex: number, axis: Axis, mm: number): Promise<void> {
+  await editAsItIs(({ vertices }) => {
+    const at = vertices.get(vertex)?.at;
+    if (!at) return null;
+    const at_mm: [number, number, number] = [...at];
+    at_mm[axisIndex(axis)] = mm;
+    return { edit: "place", positions: [{ vertex, at_mm }] };
+  });
 }
 
 export async function support(fixed: boolean): Promise<void> {

@@ -1,3 +1,4 @@
+import { useState } from "react";
 import { Button } from "../../../shared/controls/Button";
 import { Segmented } from "../../../shared/controls/inputs";
 import { NumberField } from "../../../shared/controls/NumberField";
@@ -7,6 +8,11 @@ import { reportOf, setValue, useProfile } from "../../../state/machine/profile";
 interface Pair {
   readonly angle_deg: number;
   readonly loss_deg: number;
+}
+
+interface Tables {
+  readonly positive: readonly Pair[];
+  readonly negative: readonly Pair[] | null;
 }
 
 const SIDES = [
@@ -22,25 +28,28 @@ const FIRST: readonly number[] = [30, 120];
 export function Springback({ why }: { readonly why: string | null }) {
   const view = useProfile((store) => store.view);
   const source = useProfile((store) => store.source);
+  /** What is asked for and not written yet. */
+  const [asked, setAsked] = useState<Tables | null>(null);
   const number = reportOf(view, "springback.angle_deg")?.value as unknown;
   const pairsOf = (side: Side) =>
     (reportOf(view, `springback.${side}`)?.value ?? null) as unknown as readonly Pair[] | null;
-  const positive = pairsOf("positive");
-  const negative = pairsOf("negative");
+  const { positive, negative } = asked ?? { positive: pairsOf("positive"), negative: pairsOf("negative") };
   const angle = typeof number === "number" ? number : (positive?.[0]?.loss_deg ?? 0);
   const setAngle = (value: number) =>
     void setValue("springback", {
       model: "constant",
       angle_deg: { value, source: source.text, measured: source.measured },
     });
-  const setTable = (pairs: { positive: readonly Pair[]; negative: readonly Pair[] | null }) =>
+  const setTable = (pairs: Tables) => {
+    setAsked(pairs);
     void setValue("springback", {
       model: "table",
       positive: pairs.positive,
       ...(pairs.negative ? { negative: pairs.negative } : {}),
       source: source.text,
       measured: source.measured,
-    });
+    }).finally(() => setAsked((now) => (now === pairs ? null : now)));
+  };
   const isTable = positive !== null;
   return (
     <div className="stack">
