@@ -9,9 +9,11 @@ import { useDesign } from "../state/design/design";
 import type { MachineState } from "../state/machine/operator";
 import { useRun } from "../state/machine/run";
 import {
+  chooseShown,
   endLive,
   forgetProgram,
   goTo,
+  isUpToDate,
   lookAtArmed,
   makeProgram,
   show,
@@ -20,6 +22,7 @@ import {
   simulate,
   togglePlay,
   usePlayback,
+  useProgram,
 } from "../state/program/program";
 import { made, program, view, wire } from "../state/program/testing";
 import { designState } from "../state/testing";
@@ -141,6 +144,50 @@ describe("playback", () => {
     expect(usePlayback.getState().played).toBe(played);
     await simulate();
     expect(usePlayback.getState().played).not.toBe(played);
+  });
+
+  it("plays the program of the design as it is, also where it is changed while that is made", async () => {
+    platform.ask.mockImplementationOnce(async () => {
+      useDesign.setState({ vertices: new Map() });
+      return program;
+    });
+    await goTo(1);
+    expect(usePlayback.getState().played).not.toBeNull();
+    expect(isUpToDate()).toBe(true);
+    expect(asked("program")).toBe(2);
+  });
+
+  it("shows what was chosen last, once it is known how the machine bends it", async () => {
+    await goTo(1);
+    let known = () => {};
+    platform.ask.mockImplementation((ask: string) =>
+      ask === "made" ? new Promise((done) => (known = () => done(made))) : Promise.resolve(null),
+    );
+    const [one, other] = [chooseShown("made"), chooseShown("both")];
+    await vi.waitFor(() => expect(asked("made")).toBe(1));
+    known();
+    await Promise.all([one, other]);
+    expect(usePlayback.getState().shown).toBe("both");
+    expect(asked("made")).toBe(1);
+  });
+
+  it("asks anew how the machine bends a design that was changed meanwhile", async () => {
+    await goTo(1);
+    const answers: (() => void)[] = [];
+    platform.ask.mockImplementation((ask: string) =>
+      ask === "made"
+        ? new Promise((done) => answers.push(() => done(made)))
+        : Promise.resolve(ask === "program" ? program : view),
+    );
+    const before = chooseShown("made");
+    await vi.waitFor(() => expect(answers).toHaveLength(1));
+    useDesign.setState({ vertices: new Map() });
+    const after = chooseShown("made");
+    await vi.waitFor(() => expect(answers).toHaveLength(2));
+    for (const answer of answers) answer();
+    await Promise.all([before, after]);
+    expect(usePlayback.getState().shown).toBe("made");
+    expect(useProgram.getState()).toMatchObject({ made, askingMade: false });
   });
 
   it("follows a machine, and is not moved by a person meanwhile", async () => {

@@ -54,6 +54,16 @@ describe("computing a frame", () => {
     expect(useShape.getState().view).toEqual({ kind: "loaded" });
   });
 
+  it("leaves the view to a design that is changed while it is computed", async () => {
+    ask.mockImplementation(async () => {
+      useDesign.setState({ ...movedFrame(), version: 2 });
+      return frameShown();
+    });
+    await computeFrame();
+    expect(useFrame.getState().answer).not.toBeNull();
+    expect(useShape.getState().view).toBeNull();
+  });
+
   it("shows the first mode that bends of a frame that floats", async () => {
     const shown = frameShown();
     ask.mockResolvedValue({ ...shown, shapes: { ...shown.shapes, loaded: null } });

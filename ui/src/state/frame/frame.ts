@@ -261,7 +261,8 @@ export async function computeFrame(): Promise<void> {
   }
   if (question !== asked) return;
   useFrame.setState({ ...answer, asking: false });
-  showFrame(answer.answer ? firstView(answer.answer.value) : null);
+  // A view of the design as it was does not take the place of the one that is being changed.
+  showFrame(answer.answer && !isFrameStale() ? firstView(answer.answer.value) : null);
 }
 
 /** A person has had enough: what was computed before stays. */

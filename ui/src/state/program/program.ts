@@ -178,14 +178,26 @@ async function ask(basis: Basis, machine: string | null): Promise<boolean> {
 
 /** Asks how the machine bends it, which may take a while; true when it is known. */
 export async function simulate(): Promise<boolean> {
-  if (!(await makeProgram()) || useProgram.getState().askingMade) return false;
+  if (!(await makeProgram())) return false;
   const { basis, made } = useProgram.getState();
   if (made) return true;
+  if (simulating?.basis !== basis) simulating = { basis, known: askMade(basis) };
+  return simulating.known;
+}
+
+/** The simulation that is on its way, and of what. */
+let simulating: { readonly basis: Basis | null; readonly known: Promise<boolean> } | null = null;
+
+async function askMade(basis: Basis | null): Promise<boolean> {
   useProgram.setState({ askingMade: true });
   const answer = await told(asking("made", {}));
-  useProgram.setState({ askingMade: false });
+  const isLast = simulating?.basis === basis;
+  if (isLast) {
+    simulating = null;
+    useProgram.setState({ askingMade: false });
+  }
   // What was asked of another design is no answer for this one.
-  if (!answer || useProgram.getState().basis !== basis) return false;
+  if (!answer || !isLast || useProgram.getState().basis !== basis) return false;
   useProgram.setState({ made: answer });
   const { played, step } = usePlayback.getState();
   if (played) show(step);
@@ -228,8 +240,13 @@ export function showDesignAgain(): void {
   usePlayback.setState({ played: null, step: 0, playing: false, live: false });
 }
 
+/** What a person chose to see last: it may not be known yet. */
+let wanted: Shown = "designed";
+
 export async function chooseShown(shown: Shown): Promise<void> {
+  wanted = shown;
   if (shown !== "designed" && !(await simulate())) return;
+  if (wanted !== shown) return;
   usePlayback.setState({ shown });
   if (!usePlayback.getState().played) show(0);
 }
@@ -237,7 +254,11 @@ export async function chooseShown(shown: Shown): Promise<void> {
 /** Makes the program for a person who plays it: false also where a running machine has the view, by then or before. */
 async function makeToPlay(): Promise<boolean> {
   const isLive = () => usePlayback.getState().live;
-  return !isLive() && (await makeProgram()) && !isLive();
+  while (!isLive() && (await makeProgram())) {
+    // Of a design that was changed meanwhile it is made once more.
+    if (isUpToDate()) return !isLive();
+  }
+  return false;
 }
 
 /** Something that the person does with the program: a job in the view of a running machine is left alone. */

@@ -193,3 +193,13 @@ it("plays a step in under a second, and many within a minute", () => {
   expect(advanced(0, 600, 60)).toBeCloseTo(600);
   expect(advanced(9.9, 10, 5)).toBe(10);
 });
+
+it("leaves the view to a design that is changed while a sequence is found", async () => {
+  ask.mockImplementation(async () => {
+    useDesign.setState({ ...movedFrame(), version: 2 });
+    return sequenceDrawn();
+  });
+  await findSequence("abs");
+  expect(useSequence.getState()).toMatchObject({ shown: false });
+  expect(useSequence.getState().found).not.toBeNull();
+});

@@ -158,7 +158,8 @@ export async function findSequence(material: string | null, file: string | null 
     playing: false,
   });
   const steps = answer.found?.sequence.steps.length ?? 0;
-  if (steps > 0) goToStep(steps);
+  // A view of the design as it was does not take the place of the one that is being changed.
+  if (steps > 0 && !isSequenceStale()) goToStep(steps);
   else hideSequence();
 }
 
@@ -251,7 +252,7 @@ export async function moveStep(from: number, to: number): Promise<void> {
   }
   if (question !== asked) return;
   useSequence.setState({ ...answer, checking: false });
-  slideTo(to + 1);
+  if (!isSequenceStale()) slideTo(to + 1);
 }
 
 /** The order is again as it was found. */
