@@ -46,7 +46,7 @@ describe.each(elsewhere)("for %s", (_, go) => {
     setSettings("gcode", { decimals: 1 });
     setDespiteErrors(true);
     await preview();
-    await write("/there/a.gcode", false);
+    await write(format, "/there/a.gcode", false);
     expect(useExports.getState()).toMatchObject({ despiteErrors: true, written: { format: "gcode" } });
     go();
     expect(useExports.getState()).toMatchObject(NOTHING);
@@ -56,7 +56,7 @@ describe.each(elsewhere)("for %s", (_, go) => {
   it("an answer that was on its way is not shown", async () => {
     const answers: ((answer: unknown) => void)[] = [];
     platform.ask.mockImplementation(() => new Promise((answer) => answers.push(answer)));
-    const both = [preview(), write("/there/a.gcode", false)];
+    const both = [preview(), write(format, "/there/a.gcode", false)];
     go();
     for (const answer of answers) answer(written);
     await Promise.all(both);
@@ -79,6 +79,6 @@ it("keeps with a file that it was not searched for collisions to its end", async
   const message = "collisions not fully searched: 12 of 340 steps in 10 s";
   const notes = [{ code: "collisions-not-searched", count: 328, message }];
   platform.ask.mockResolvedValue({ ...written, notes });
-  await write("/there/a.gcode", false);
+  await write(format, "/there/a.gcode", false);
   expect(useExports.getState().written?.notSearched).toMatch(/^Collisions not fully searched: 12 of 340 steps/);
 });

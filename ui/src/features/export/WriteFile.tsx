@@ -1,15 +1,15 @@
 import { useEffect, useRef, useState } from "react";
 import type { FormatEntry } from "../../generated/responses";
-import { platform, Refused } from "../../platform";
+import { Refused } from "../../platform";
 import { Button } from "../../shared/controls/Button";
 import { Either } from "../../shared/controls/Either";
 import { Field } from "../../shared/controls/Field";
 import { TextInput } from "../../shared/controls/inputs";
 import { FileProblem, WrittenFiles } from "../../shared/lists/FileOutcome";
 import { Line } from "../../shared/lists/Line";
-import { told } from "../../state/asking/problems";
 import { isRefused, useDesign } from "../../state/design/design";
 import { useExports, write } from "../../state/files/exports";
+import { pickPlace } from "../../state/files/files";
 import { beside, fileName, isPrinted } from "./groups";
 import { PrintPreview } from "./print/PrintPreview";
 
@@ -29,7 +29,7 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
     setBusy(true);
     setProblem(null);
     try {
-      await write(to, force);
+      await write(format, to, force);
     } catch (error) {
       const exists = error instanceof Refused && error.refusal.code === "exists";
       setProblem({ message: error instanceof Error ? error.message : String(error), exists });
@@ -38,9 +38,10 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
     }
   };
   const browse = async (thenWrite: boolean) => {
-    const picked = await told(
-      platform.pickSave(fileName(state?.name ?? "", format), { name: format.name, extensions: [format.extension] }),
-    );
+    const picked = await pickPlace(fileName(state?.name ?? "", format), {
+      name: format.name,
+      extensions: [format.extension],
+    });
     if (picked === null) return;
     setTyped(picked);
     setAgreed(picked);

@@ -150,10 +150,8 @@ function refusal(error: unknown): { message: string; errors: boolean } {
 }
 
 /** Writes the file. The person has been asked whether one that is there may be replaced. */
-export async function write(path: string, force: boolean): Promise<boolean> {
+export async function write(format: FormatEntry, path: string, force: boolean): Promise<void> {
   const store = useExports.getState();
-  const format = chosenFormat(store);
-  if (!format) return false;
   const settings = { ...settingsOf(format, store.settings) };
   const output = { path, force };
   const before = forgotten;
@@ -163,7 +161,6 @@ export async function write(path: string, force: boolean): Promise<boolean> {
   const note = notes.find(({ code }) => code === "collisions-not-searched");
   const written = { format: format.id, files, notSearched: note ? errorText(note) : null };
   if (before === forgotten) useExports.setState({ written });
-  return true;
 }
 
 let forgotten = 0;

@@ -19,7 +19,19 @@ import { useRun } from "../machine/run";
 import { machineState } from "../testing";
 import { useView } from "../window/view";
 import { mayClose, quit, useClosing } from "./closing";
-import { addWireframe, mayLeave, newDesign, openAs, openPath, restore, save, saveAs, useFiles } from "./files";
+import {
+  addWireframe,
+  mayLeave,
+  newDesign,
+  openAs,
+  openPath,
+  restore,
+  save,
+  saveAs,
+  saveJob,
+  saveWireframe,
+  useFiles,
+} from "./files";
 
 /** The Rust side, as far as it is asked here: whether its design is changed, and what it is called. */
 const rust: { changed: boolean; name: string; file: string | null } = {
@@ -207,6 +219,32 @@ it("does not save another design under the name that was chosen for the one befo
   pick("/there/a2.wirebend");
   expect(await saved).toBe(false);
   expect(asked()).not.toContain("save");
+});
+
+it.each([
+  ["a job", saveJob],
+  ["a wireframe", saveWireframe],
+])("does not save %s of another design there, either", async (_, saves) => {
+  let pick: (path: string) => void = () => {};
+  platform.pickSave.mockImplementation(() => new Promise((resolve) => (pick = resolve)));
+  const saved = saves();
+  await openPath("/there/b.wirebend");
+  pick("/there/a2");
+  await saved;
+  expect(asked()).toEqual(["look", "open"]);
+  expect(useProblems.getState().problems.map(({ code }) => code)).toEqual(["not-saved"]);
+});
+
+it("opens the file that was opened last, although one before is read for longer", async () => {
+  let read: (answer: unknown) => void = () => {};
+  platform.ask.mockImplementationOnce(() => new Promise((resolve) => (read = resolve)));
+  const large = openPath("/there/large.wirebend");
+  await openPath("/there/b.wirebend");
+  read(await answered("look"));
+  await large;
+  expect(platform.ask.mock.calls.filter(([ask]) => ask === "open").map(([, given]) => given)).toEqual([
+    { design: { input: { file: "/there/b.wirebend" } } },
+  ]);
 });
 
 it("keeps the other unsaved designs on offer when one is restored", async () => {

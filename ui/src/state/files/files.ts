@@ -157,10 +157,15 @@ async function opened(ask: () => Promise<DesignOpened>, name: string): Promise<b
   return done;
 }
 
-/** Opens a file, or asks first how it is to be read. */
+/** How many files were looked into. */
+let looks = 0;
+
+/** Opens a file, or asks first how it is to be read. Of several that are opened at a time it is the last, however long another one takes. */
 export async function openPath(path: string, purpose: Purpose = "design", use: RunUse = "run"): Promise<void> {
+  looks += 1;
+  const mine = looks;
   const look = await reading(baseName(path), () => told(asking("look", { design: { input: { file: path } } })));
-  if (!look) return;
+  if (!look || mine !== looks) return;
   if (look.seen === "job") {
     if (purpose === "design") await runFile(path);
     else if (purpose === "add")
@@ -301,12 +306,18 @@ export async function save(): Promise<boolean> {
 }
 
 export async function saveAs(): Promise<boolean> {
+  const path = await pickPlace(`${designStem()}.wirebend`, DESIGNS);
+  return path !== null && saveTo(path);
+}
+
+/** Picks where something of the open design is saved. The window goes on behind the dialog: null, and said so, where another one was opened. */
+export async function pickPlace(name: string, kind: FileKind): Promise<string | null> {
   const { opened: design } = useFiles.getState();
-  const path = await told(platform.pickSave(`${designStem()}.wirebend`, DESIGNS));
-  if (!path) return false;
-  if (design === useFiles.getState().opened) return saveTo(path);
+  const path = await told(platform.pickSave(name, kind));
+  if (!path) return null;
+  if (design === useFiles.getState().opened) return path;
   tell("warning", "Not saved: another design was opened meanwhile.", "not-saved");
-  return false;
+  return null;
 }
 
 async function saveTo(path: string | null): Promise<boolean> {
@@ -350,9 +361,9 @@ export async function closeDesign(): Promise<void> {
 
 /** Plans the design and writes it as a job; a design that cannot be made is refused, with the reason. */
 export async function saveJob(): Promise<void> {
-  const { despiteErrors } = useExports.getState();
-  const path = await told(platform.pickSave(`${designStem()}.wbjob`, { name: "Jobs", extensions: ["wbjob"] }));
+  const path = await pickPlace(`${designStem()}.wbjob`, { name: "Jobs", extensions: ["wbjob"] });
   if (!path) return;
+  const { despiteErrors } = useExports.getState();
   const asked = asking("save-job", { output: { path, force: true }, despite_errors: despiteErrors });
   const saved = await told(ofDesign(asked));
   if (!saved) return;
@@ -362,7 +373,7 @@ export async function saveJob(): Promise<void> {
 
 /** Writes the wires as lines for another program. */
 export async function saveWireframe(): Promise<void> {
-  const path = await told(platform.pickSave(`${designStem()}.obj`, { name: "Models", extensions: ["obj"] }));
+  const path = await pickPlace(`${designStem()}.obj`, { name: "Models", extensions: ["obj"] });
   if (!path) return;
   const saved = await told(asking("save-wireframe", { output: { path, force: true } }));
   if (saved) tell("info", `The wireframe is in ${saved.file}.`, "wireframe-saved");

@@ -2,11 +2,10 @@
 
 import { create } from "zustand";
 import type { FrameFiles } from "../../generated/requests";
-import { type FileKind, platform, Refused } from "../../platform";
+import { type FileKind, Refused } from "../../platform";
 import { errorText } from "../../platform/error_text";
-import { told } from "../asking/problems";
 import { asking } from "../asking/work";
-import { designStem } from "../files/files";
+import { designStem, pickPlace } from "../files/files";
 import { movedOf, usualScale } from "./figures";
 import { frameRequest, useFrame } from "./frame";
 import { useShape } from "./shape";
@@ -44,7 +43,7 @@ export const useFrameFiles = create<FrameFilesStore>()(() => NOTHING);
 /** Picks a place, and writes there. */
 export async function saveFrame(file: FrameFile): Promise<void> {
   const sort = SORTS[file];
-  const path = await told(platform.pickSave(`${designStem()}.${sort.extension}`, sort));
+  const path = await pickPlace(`${designStem()}.${sort.extension}`, sort);
   if (path) await write(file, path, !sort.several);
 }
 

@@ -1,13 +1,12 @@
 import { useCallback, useEffect, useRef, useState } from "react";
 import type { FormatEntry } from "../../../generated/responses";
-import { platform } from "../../../platform";
 import { Button } from "../../../shared/controls/Button";
 import { Segmented } from "../../../shared/controls/inputs";
 import { Dialog } from "../../../shared/layers/Dialog";
 import { Line } from "../../../shared/lists/Line";
-import { told } from "../../../state/asking/problems";
 import { useDesign } from "../../../state/design/design";
 import { fileBytes, write } from "../../../state/files/exports";
+import { pickPlace } from "../../../state/files/files";
 import { fileName } from "../groups";
 import type { Zoom } from "./layout";
 import { Pages } from "./Pages";
@@ -50,10 +49,10 @@ export function PrintPreview({ format, onClose }: { readonly format: FormatEntry
     asked.current = true;
     try {
       const kind = { name: format.name, extensions: [format.extension] };
-      const path = await told(platform.pickSave(fileName(name, format), kind));
+      const path = await pickPlace(fileName(name, format), kind);
       if (path === null) return;
       setSaving(true);
-      await write(path, true);
+      await write(format, path, true);
       setSaved({ text: `Written: ${path}`, wrong: false });
     } catch (error) {
       setSaved({ text: `The file was not written: ${message(error)}`, wrong: true });
