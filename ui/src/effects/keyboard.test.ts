@@ -51,6 +51,15 @@ describe("keys of the window", () => {
     expect(ran).toEqual(["save"]);
   });
 
+  it("save what stands in a field, which goes on being written in", () => {
+    const field = add('<input type="text" data-target>') as HTMLInputElement;
+    field.addEventListener("blur", () => ran.push("taken"));
+    field.focus();
+    press("s", field, { ctrlKey: true });
+    expect(ran).toEqual(["taken", "save"]);
+    expect(document.activeElement).toBe(field);
+  });
+
   it("undo what a field has changed, while nothing else is typed in it", () => {
     const field = add('<input type="text" data-undo="design" data-target>');
     press("z", field, { ctrlKey: true });

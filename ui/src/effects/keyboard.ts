@@ -5,6 +5,7 @@ import { type CommandId, chordOf, commandOf } from "../state/window/keys";
 import { useView } from "../state/window/view";
 import { together } from "./changes";
 import { followFields, typing, wasTyping } from "./fields";
+import { takeTyped } from "./typed";
 
 /** Keys that a control uses itself while it has the focus. */
 function used(target: EventTarget | null, key: string): boolean {
@@ -63,6 +64,8 @@ function pressed(event: KeyboardEvent): void {
   const entry = commandOf(chordOf(event), writes && !undoesDesign(event));
   if (!entry || entry.native || used(event.target, event.key)) return;
   event.preventDefault();
+  // What stands in a field belongs to what is saved, or asked about.
+  if (writes && entry.typing === "also") takeTyped();
   if (!event.repeat || entry.command === "undo" || entry.command === "redo") run(entry.command);
 }
 

@@ -5,7 +5,7 @@ import { TextInput } from "../../shared/controls/inputs";
 import { Line } from "../../shared/lists/Line";
 import { edit } from "../../state/design/design";
 import { stepOf } from "../../state/program/clock";
-import { usePlayback, useProgram, useStale } from "../../state/program/program";
+import { pause, usePlayback, useProgram, useStale } from "../../state/program/program";
 import { useRunFile } from "../../state/program/run_file";
 
 /** What a person does after the step that is shown, before the machine goes on. */
@@ -51,6 +51,8 @@ function PauseForm({ number, step }: { readonly number: number | null; readonly 
         placeholder={number === null ? label : "Pause: turn the part"}
         value={text}
         disabled={nowhere !== null}
+        // The step that it is about would go on to the next one.
+        onFocus={pause}
         title={why ?? undefined}
         onChange={(event) => setTyped({ of: note, text: event.currentTarget.value })}
       />

@@ -6,6 +6,15 @@ export interface RowsHandle {
   reveal(index: number): void;
 }
 
+/** Leaves a field in a row that goes, as a click elsewhere would: what is typed there is taken. */
+function leaveUnseen(box: HTMLElement, next: { first: number; last: number }, first: number): void {
+  const { activeElement } = document;
+  if (!(activeElement instanceof HTMLElement) || activeElement === box || !box.contains(activeElement)) return;
+  const rows = [...(box.firstElementChild?.children ?? [])];
+  const index = first + rows.findIndex((row) => row.contains(activeElement));
+  if (index < next.first || index >= next.last) activeElement.blur();
+}
+
 /** Many rows of the same height, of which only those in sight are there. Put it where a `role="table"` or a list says what they are. */
 export function Rows({
   count,
@@ -54,7 +63,11 @@ export function Rows({
       style={{ maxHeight: height, overflow: "auto" }}
       // biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, also by keys
       tabIndex={0}
-      onScroll={(event) => setTop(event.currentTarget.scrollTop)}
+      onScroll={(event) => {
+        const { scrollTop } = event.currentTarget;
+        setTop(scrollTop);
+        leaveUnseen(event.currentTarget, windowOf(scrollTop, sight, rowHeight, count), first);
+      }}
     >
       <div
         role="presentation"
