@@ -8,6 +8,7 @@ import { edgeOf } from "../../state/design/exact";
 import { AXES } from "../../state/design/geometry";
 import { rotate, rotateAbout, selectedBounds } from "../../state/design/operations";
 import { select, useSelection } from "../../state/design/selection";
+import { useFiles } from "../../state/files/files";
 import { ABOUT, type About } from "./copies";
 import { Do } from "./forms";
 
@@ -15,12 +16,14 @@ import { Do } from "./forms";
 export function RotateForm() {
   const [deg, setDeg] = useState(90);
   const [axis, setAxis] = useState<Axis | "edge">("z");
-  const [edge, setEdge] = useState<number | null>(null);
+  /** Of another design the same number is another edge. */
+  const [about, setAbout] = useState<{ readonly edge: number; readonly of: number } | null>(null);
+  const opened = useFiles((files) => files.opened);
   const [through, setThrough] = useState<About>("middle");
   const design = useDesign();
   const selection = useSelection();
   const selected = edgeOf(selection, design);
-  const line = edge === null ? undefined : design.edges.get(edge);
+  const line = about?.of === opened ? design.edges.get(about.edge) : undefined;
   const gone = axis === "edge" && !line ? "The edge of the axis is gone: choose another." : null;
   const make = (by: number) => {
     if (by === 0) return;
@@ -31,9 +34,9 @@ export function RotateForm() {
     const middle = selectedBounds()?.centre;
     if (middle) void rotate(axis, through === "origin" ? [0, 0, 0] : middle, by);
   };
-  const choose = (about: Axis | "edge") => {
-    if (about === "edge" && typeof selected !== "string") setEdge(selected.id);
-    setAxis(about);
+  const choose = (next: Axis | "edge") => {
+    if (next === "edge" && typeof selected !== "string") setAbout({ edge: selected.id, of: opened });
+    setAxis(next);
   };
   return (
     <>

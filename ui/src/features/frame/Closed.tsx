@@ -1,5 +1,5 @@
 import type { FrameShown, ResourcesReport } from "../../generated/responses";
-import { number } from "../../shared/figures/format";
+import { count, number } from "../../shared/figures/format";
 import { useLengths, useUnit } from "../../shared/figures/unit";
 import type { Faces } from "../../state/frame/faces";
 import { Part } from "../panel/Section";
@@ -80,7 +80,7 @@ export function Closed({ shown, faces }: { readonly shown: FrameShown; readonly 
     ],
   ];
   return (
-    <Part title="Once closed" aside={<span className="muted small">{runs} wires</span>}>
+    <Part title="Once closed" aside={runs !== null && <span className="muted small">{count(runs, "wire")}</span>}>
       <Figures label="Closed frame" rows={rows} />
       {resources && <Takes resources={resources} />}
       {first && (

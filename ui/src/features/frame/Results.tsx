@@ -1,5 +1,5 @@
 import type { DiagnosticReport, FrameShown } from "../../generated/responses";
-import { percent, sentence } from "../../shared/figures/format";
+import { count, percent, sentence } from "../../shared/figures/format";
 import { useLengths } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { select } from "../../state/design/selection";
@@ -125,8 +125,8 @@ export function Results({ shown }: { readonly shown: FrameShown }) {
       </table>
       <Notes notes={shown.result.notes} />
       <p className="muted small">
-        {figures.members} struts of {material}, held at {figures.supports}{" "}
-        {figures.supports === 1 ? "vertex" : "vertices"}. Small displacements, rigid joints.
+        {count(figures.members, "strut")} of {material}, held at {count(figures.supports, "vertex", "vertices")}. Small
+        displacements, rigid joints.
       </p>
     </div>
   );

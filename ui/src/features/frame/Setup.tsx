@@ -100,6 +100,8 @@ export function Setup() {
 /** Supports that a person chooses. Its place is kept while others hold the frame. */
 function Supports() {
   const { hold, picking, chosen } = useFrame();
+  // Unseen, clicks in the view would go on choosing supports.
+  useEffect(() => () => setPicking(false), []);
   const selected = useSelection(({ vertices }) => vertices);
   const why = hold === "chosen" ? null : "Supports are chosen under Chosen.";
   return (

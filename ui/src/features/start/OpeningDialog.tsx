@@ -136,7 +136,7 @@ function Asking({ opening }: { readonly opening: Opening }) {
       {(!drawing || look.edges === 0) && (
         <p className="muted">
           {[
-            look.faces > 0 && `${roughly(look.faces)} faces`,
+            look.faces > 0 && (look.faces === 1 ? "1 face" : `${roughly(look.faces)} faces`),
             look.edges > 0 && `${count(look.edges, "edge")}, ${count(look.vertices, "vertex", "vertices")}`,
           ]
             .filter(Boolean)

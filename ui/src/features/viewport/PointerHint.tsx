@@ -1,4 +1,5 @@
 import type { Tool } from "../../scene/interface";
+import { useFrame } from "../../state/frame/frame";
 import { useByHand } from "../../state/machine/by_hand";
 import { usePlayback } from "../../state/program/program";
 import { useView } from "../../state/window/view";
@@ -13,6 +14,9 @@ const CLICKS: Readonly<Record<Tool, string>> = {
   plane: "Plane: click three points, Esc ends",
 };
 
+/** What a click that selects does while supports of a frame are picked. */
+const PICKS = "Supports: click vertices, Esc ends";
+
 /** The same of the tools that draw, while they draw construction lines. */
 const CONSTRUCTS: Readonly<Partial<Record<Tool, string>>> = {
   trace: "Construction line: click for each end, Esc ends",
@@ -26,12 +30,15 @@ const MOVES = ["Orbit: right or middle button", "Pan: Shift and middle button", 
 export function PointerHint() {
   const tool = useView((view) => view.tool);
   const constructing = useView((view) => view.constructing);
+  const picking = useFrame((frame) => frame.picking);
   const played = usePlayback(({ played }) => played !== null);
   const byHand = useByHand(({ played }) => played !== null);
   return (
     <p className="pointer-hint">
       {!played && !byHand && (
-        <span className="pointer-hint-tool">{(constructing ? CONSTRUCTS[tool] : undefined) ?? CLICKS[tool]}</span>
+        <span className="pointer-hint-tool">
+          {picking && tool === "select" ? PICKS : ((constructing ? CONSTRUCTS[tool] : undefined) ?? CLICKS[tool])}
+        </span>
       )}
       {MOVES.map((move) => (
         <span key={move}>{move}</span>

@@ -315,6 +315,7 @@ export function designReplaced(): void {
     preview: null,
     strand: null,
     ownPlane: null,
+    planeOffset: 0,
     chosenStencil: null,
     constructing: false,
     constructionShown: true,

@@ -237,7 +237,8 @@ export function normalOf({ u, v }: DrawingPlane): Vec3 {
 
 /** Draws on a plane of the axes. */
 export function choosePlane(plane: PlaneName): void {
-  useView.setState({ plane, ownPlane: null });
+  // How far from a plane of its own points it was says nothing of another one.
+  useView.setState(({ ownPlane, planeOffset }) => ({ plane, ownPlane: null, planeOffset: ownPlane ? 0 : planeOffset }));
 }
 
 /** Puts the plane on the three selected vertices; on points that are clicked where others, or none, are selected. */
