@@ -19,7 +19,8 @@ impl Machine {
             return; // the status reports the hold
         }
         match self.activity {
-            Activity::Homing(Homing::Stopping) => {
+            // Unless a person has stopped it meanwhile: both may have this one answer.
+            Activity::Homing(Homing::Stopping) if self.halt != Halt::Requested => {
                 self.renew(session_id(self.link.session()), now);
                 self.activity = Activity::Homing(Homing::Opening);
                 return;

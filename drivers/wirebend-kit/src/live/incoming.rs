@@ -95,6 +95,8 @@ impl Machine {
                 }
                 self.read_settings();
             }
+            // The alarm of a stop that was sent meanwhile is on its way, and ends it.
+            Activity::Homing(Homing::Opening) if self.halt == Halt::Requested => {}
             Activity::Homing(Homing::Opening) => match self.head_at.take() {
                 Some(steps) => {
                     self.link.request(Request::Head(steps));
@@ -107,6 +109,10 @@ impl Machine {
     }
 
     fn search(&mut self) {
+        // Homing clears the alarm of a stop.
+        if self.halt == Halt::Requested {
+            return;
+        }
         let line = self.link.line(b'H', &[]);
         self.activity = Activity::Homing(Homing::Searching { line, accepted: false });
     }
@@ -371,6 +377,33 @@ impl Machine {
                 self.link.request(Request::Speed(FASTEST));
             }
             self.report(Event::Finished);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::rc::Rc;
+
+    use super::*;
+    use crate::Settings;
+
+    /// Homing clears the alarm of a stop. What it goes on by may be on its way when the stop is sent, and be heard together with the alarm.
+    #[test]
+    fn homing_that_is_stopped_goes_on_by_nothing() {
+        for (homing, heard) in [
+            (Homing::Opening, Some(MachineEvent::Open { resumed: None, fresh: None })),
+            (Homing::SettingHead, Some(MachineEvent::Answered(Request::Head(0)))),
+            (Homing::Stopping, None),
+        ] {
+            let mut machine = Machine::new(Rc::new(Settings::default()), None, Duration::ZERO);
+            machine.activity = Activity::Homing(homing);
+            machine.stop(Duration::ZERO);
+            for event in heard.into_iter().chain([MachineEvent::Alarm(Alarm::Stop)]) {
+                machine.hear(event, Duration::ZERO);
+            }
+            assert_eq!(machine.activity, Activity::Idle, "{homing:?}");
+            assert_eq!(machine.link.line(b'M', &[0, 0, 0]), 1, "a line before this one after {homing:?}");
         }
     }
 }
