@@ -4,7 +4,7 @@ use std::time::{Duration, Instant, SystemTime};
 
 use wirebend_driver_host::api::PausedBy;
 use wirebend_driver_host::jobs::{JobError, JobRun, JobState, PartMade, Progress as Told, Resume};
-use wirebend_driver_host::{Permit, Session, Standstill, StoppedBy, report_of};
+use wirebend_driver_host::{Permit, Phase, Session, Standstill, StoppedBy, report_of};
 use wirebend_error::{ErrorCode, ProblemReport};
 
 use super::report::{RunOutcome, RunResponse, StoppedIn, WireRun};
@@ -44,14 +44,17 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    pub(super) fn look(&mut self) {
+    /// Whether it has just come back.
+    pub(super) fn look(&mut self) -> bool {
         let now = SystemTime::now();
         let before = self.looked.replace(now);
         // A clock that was set back says nothing.
         let gap = before.and_then(|before| now.duration_since(before).ok()).unwrap_or_default();
-        if gap > AWAY {
+        let is_back = gap > AWAY;
+        if is_back {
             self.away = Some(Instant::now());
         }
+        is_back
     }
 
     /// Whether it was away shortly before.
@@ -196,6 +199,11 @@ impl Making<'_, '_> {
             if let Some(wish) = observer.progress.wish() {
                 self.grant(wish, observer);
             }
+            // Before anything more is sent: only some machines hold by themselves where nobody looks at them.
+            if self.watch.look() && self.may_surprise() {
+                self.ask_after_absence(observer)?;
+                continue;
+            }
             let hold = match self.look(observer, heard)? {
                 None => self.ask_at_pause(observer, heard)?,
                 hold => hold,
@@ -305,6 +313,30 @@ impl Making<'_, '_> {
         Ok(())
     }
 
+    /// Whether a machine that is sent more would move under the hands of somebody. What is simulated has nobody at it.
+    fn may_surprise(&mut self) -> bool {
+        self.run.overview().phase == Phase::Making && self.run.session().simulated().is_none()
+    }
+
+    /// The program was away while the wire was bent, and the machine has run what it was sent before. It is sent nothing more until a
+    /// person has said so.
+    fn ask_after_absence(&mut self, observer: &mut MachineObserver) -> Result<(), OperationError> {
+        let question =
+            "this program was away for a while, and the machine runs what it was sent before. May it go on?";
+        let said = observer.progress.confirm(question);
+        if self.run.session().last_stop().is_some() {
+            return Ok(());
+        }
+        // The time in which the question was open is no absence, and one yes is enough where the machine holds, too.
+        self.watch = Watch::default();
+        if said == Some(true) {
+            return Ok(());
+        }
+        let message = "this program was away for a while, and it was not confirmed that the wire goes on: it was stopped";
+        observer.warn(ProblemReport::new(ErrorCode::Held, message.to_owned(), Vec::new()));
+        Ok(self.run.stop().1.map_err(LiveProblem::from)?)
+    }
+
     /// The wire as a simulated machine has bent it.
     fn made(&self, heard: &Heard) -> Result<Option<Bent>, OperationError> {
         if heard.corners_mm.is_empty() {
@@ -390,8 +422,8 @@ mod tests {
         watch.look();
         assert!(!watch.was_away());
         watch.looked = SystemTime::now().checked_sub(AWAY * 2);
-        watch.look();
-        assert!(watch.was_away());
+        assert!(watch.look(), "it has come back");
+        assert!(!watch.look() && watch.was_away(), "it is here again");
         // A clock that was set back is no sleep.
         let mut watch = Watch { looked: SystemTime::now().checked_add(AWAY * 2), away: None };
         watch.look();

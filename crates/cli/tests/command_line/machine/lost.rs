@@ -224,6 +224,22 @@ fn ctrl_c_stops_a_bender_whose_driver_hangs() {
     assert!(took < Duration::from_millis(100) + AT_ONCE + GRACE, "{took:?}");
 }
 
+/// The computer sleeps for longer than the bender has work. Nobody would expect it to begin again when the lid is opened.
+#[test]
+fn a_bender_is_sent_nothing_more_when_the_computer_has_slept() {
+    let bending = Bending::new();
+    kill_process(bending.id(), Signal::STOP).unwrap();
+    std::thread::sleep(Duration::from_secs(11));
+    let asleep = bending.bender.stands();
+    kill_process(bending.id(), Signal::CONT).unwrap();
+    let done = bending.program.wait_with_output().unwrap();
+    let said = String::from_utf8_lossy(&done.stderr).into_owned();
+    assert_eq!(done.status.code(), Some(130), "{said}");
+    assert!(said.contains("it was not confirmed that the wire goes on: it was stopped"), "{said}");
+    assert!(said.contains(STANDS), "{said}");
+    assert_eq!(bending.bender.stands(), asleep, "it has moved on: {said}");
+}
+
 /// All that is sent to the machine is lost for a time, the stop with it.
 #[test]
 fn what_is_said_of_a_bender_after_a_stop_is_true_however_long_the_line_was_dead() {
