@@ -104,7 +104,7 @@ impl Workspace {
         let hear = move |event: &OperatorEvent| events.emit(&WindowEvent::Operator(Box::new(event.clone())));
         let request =
             ConnectRequest { machine, port: asked.port.clone(), simulated_as: asked.simulated_as.clone() };
-        self.put_operator(Some(Arc::new(Operator::connect(app, request, Arc::new(hear)))));
+        self.put_operator(Operator::connect(app, request, Arc::new(hear)));
         Ok(self.now())
     }
 
@@ -177,9 +177,11 @@ impl Workspace {
 
     /// Stops what moves and closes the port, and waits for that.
     pub(crate) fn let_go(&self) {
-        if let Some(operator) = self.put_operator(None) {
-            operator.close();
-        }
+        let Some(operator) = self.operator() else { return };
+        operator.close();
+        // Until then a person may have to stop it.
+        let mut kept = self.operator.lock().unwrap_or_else(PoisonError::into_inner);
+        kept.take_if(|kept| Arc::ptr_eq(kept, &operator));
     }
 
     fn now(&self) -> MachineNow {
@@ -191,8 +193,11 @@ impl Workspace {
         self.operator.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    fn put_operator(&self, operator: Option<Arc<Operator>>) -> Option<Arc<Operator>> {
-        std::mem::replace(&mut *self.operator.lock().unwrap_or_else(PoisonError::into_inner), operator)
+    fn put_operator(&self, operator: Operator) {
+        let mut kept = self.operator.lock().unwrap_or_else(PoisonError::into_inner);
+        let before = kept.replace(Arc::new(operator));
+        // One that still ends is waited for, and nobody waits for that.
+        drop((kept, before));
     }
 
     /// Refuses an order that begins what is in the file that is open to be run, where that has changed on the disk.

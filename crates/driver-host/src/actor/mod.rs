@@ -160,7 +160,7 @@ impl<O: ActorOrder> Actor<O> {
         self.lock().stops.handle = None;
     }
 
-    /// Has the thread end. Whether something is under way, and has to be stopped for it.
+    /// Has the thread end. Whether something is under way, and has to be stopped for it: also an order between two of its motions.
     #[must_use = "what moves has to be stopped"]
     pub fn close(&self) -> bool {
         let mut state = self.lock();
@@ -168,7 +168,7 @@ impl<O: ActorOrder> Actor<O> {
             state.life = Life::Closing;
         }
         self.woken.notify_all();
-        state.phase().is_under_way()
+        state.is_at_work()
     }
 
     /// Whether the thread has ended within a time.

@@ -100,6 +100,11 @@ impl<O: ActorOrder> ActorState<O> {
         self.view.busy
     }
 
+    /// Whether something moves, or an order that is carried out may move it next.
+    pub fn is_at_work(&self) -> bool {
+        self.view.busy || self.view.phase.is_under_way()
+    }
+
     pub fn view(&self) -> ActorView {
         let orders = match self.none() {
             Some(because) => Orders::none(because),
@@ -314,6 +319,21 @@ mod tests {
         state.rest(Some(&snapshot(Phase::Stopped, 2)));
         assert_eq!((state.phase(), state.busy()), (Phase::Stopped, false));
         assert_eq!(why_not(&mut state, OrderName::Home), None);
+    }
+
+    /// Between two pieces of a row nothing moves, and the next one would be begun.
+    #[test]
+    fn an_order_between_two_motions_has_to_be_stopped() {
+        let mut state = at_rest(Phase::Ready);
+        assert!(!state.is_at_work());
+        assert_eq!(why_not(&mut state, OrderName::Home), None);
+        assert!(state.order.take().is_some());
+        for phase in [Phase::Ready, Phase::Homing, Phase::Armed] {
+            state.publish(&snapshot(phase, 0));
+            assert!(state.is_at_work(), "{phase:?}");
+        }
+        state.rest(Some(&snapshot(Phase::Ready, 0)));
+        assert!(!state.is_at_work());
     }
 
     #[test]
