@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use wirebend_driver_api::{DriverError, EncodedFile, Job, Step, fixed, is_zero};
+use wirebend_driver_api::{DriverError, EncodedFile, Job, Note, Step, fixed, is_zero};
 
 /// Digits behind the decimal point: a tenth of a step or less.
 const DECIMALS: u8 = 3;
@@ -30,6 +30,25 @@ pub(crate) fn wire(job: &Job, index: usize) -> Result<EncodedFile, DriverError> 
         }
     }
     Ok(EncodedFile { text })
+}
+
+/// The peg comes out farther from the wire than it does by itself where that is bent already; a line has no place for it.
+pub(crate) fn approaches_left_out(job: &Job) -> Result<Option<Note>, DriverError> {
+    let mut count = 0;
+    for (index, wire) in job.wires.iter().enumerate() {
+        let steps = wire.machine_steps(index)?;
+        count += steps.iter().filter(|step| step.approach_deg.is_some()).count();
+    }
+    let bends = if count == 1 { "1 bend needs" } else { "bends need" };
+    let many = if count == 1 { String::new() } else { format!("{count} ") };
+    Ok((count > 0).then(|| Note {
+        code: "approach-not-carried".to_owned(),
+        count,
+        message: format!(
+            "{many}{bends} the peg to come out farther from the wire than it does by itself, and WireBend-kit text cannot say so: the peg \
+             may hit wire that was bent before; run the job itself, which has it"
+        ),
+    }))
 }
 
 /// The format is that of the machine's authors: a line has one angle, and its sign is the side.

@@ -81,7 +81,8 @@ impl MachineDriver for WirebendKit {
             return Err(DriverError::unknown_format(format, &[FORMAT]));
         }
         let files = (0..job.wires.len()).map(|index| export::wire(job, index));
-        Ok(Encoded { files: files.collect::<Result<_, _>>()?, notes: Vec::new() })
+        let files = files.collect::<Result<_, _>>()?;
+        Ok(Encoded { files, notes: export::approaches_left_out(job)?.into_iter().collect() })
     }
 
     fn limits(&self) -> Limits {

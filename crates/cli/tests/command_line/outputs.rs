@@ -220,3 +220,15 @@ fn what_is_not_written_to_the_output_is_said() {
     assert!(document.err.contains("taken as mm"), "{}", document.err);
     run(&["export", &example("two-parts.obj"), "-m", "wirebend-kit", "-f", "xyz-csv"]).ended(2);
 }
+
+/// Two bends to opposite sides on a short leg: beside the first, the peg comes out farther before the second. A line of the text has no
+/// place for that, and the machine would bring it out into the wire.
+#[test]
+fn what_the_text_of_a_machine_cannot_say_is_noted() {
+    let folder = tempfile::tempdir().unwrap();
+    let z = "v 0 0 0\nv 60 0 0\nv 80.683 17.355 0\nv 140.683 17.355 0\nl 1 2 3 4\n";
+    std::fs::write(folder.path().join("z.obj"), z).unwrap();
+    let said =
+        run_in(folder.path(), &["export", "z.obj", "-m", "wirebend-kit", "-o", "z.txt"], b"").ended(0).err;
+    assert!(said.contains("1 bend needs the peg to come out farther from the wire"), "{said}");
+}
