@@ -76,11 +76,17 @@ impl Rounded {
     fn note(&self) -> Option<Note> {
         let [feed, rotate, bend] = self.axes;
         let message = format!(
-            "{} values are rounded to whole numbers, and what is left over goes to the next of the same axis, of \
+            "{} rounded to whole numbers, and what is left over goes to the next of the same axis, of \
              bends to the next in the same plane: a feed is off by up to {:.2} mm and all of them together by \
              {:.2} mm, a rotation by up to {:.2} degrees and all of them together by {:.2}, a bend by up to \
              {:.2} degrees and those in one plane together by {:.2}",
-            self.changed, feed.0, feed.1, rotate.0, rotate.1, bend.0, bend.1
+            if self.changed == 1 { "1 value is".to_owned() } else { format!("{} values are", self.changed) },
+            feed.0,
+            feed.1,
+            rotate.0,
+            rotate.1,
+            bend.0,
+            bend.1
         );
         (self.changed > 0).then(|| note("rounded", self.changed, &message))
     }

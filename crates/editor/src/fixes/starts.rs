@@ -41,7 +41,7 @@ pub(super) fn there(finding: Finding, trials: &Trials) -> Option<Candidate> {
     let title = format!(
         "{}, run along {} instead of {}",
         start.title,
-        wires::twice_priced(&edges, added, trials),
+        wires::twice_changed(&edges, added, trials),
         wire.doubled.len()
     );
     let mut doubled = wires::doublings_elsewhere(document, &wire.component);

@@ -40,12 +40,28 @@ pub(super) fn twice_priced(edges: &[EdgeId], length: Length, trials: &Trials) ->
     twice(edges, length, &cost)
 }
 
+/// The same where it takes the place of others: by how much the length and its price change.
+pub(super) fn twice_changed(edges: &[EdgeId], change: Length, trials: &Trials) -> String {
+    if change.mm().abs() < NO_LENGTH_MM {
+        return format!("{} twice (no more length)", count(edges));
+    }
+    let sign = if change > Length::ZERO { '+' } else { '\u{2212}' };
+    let cost = trials.price(change.abs()).map_or_else(String::new, |price| format!(", {sign}{price}"));
+    format!("{} twice ({sign}{}{cost})", count(edges), shown_mm(change.abs().mm()))
+}
+
+/// Less is none, mm.
+const NO_LENGTH_MM: f64 = 0.05;
+
 fn twice(edges: &[EdgeId], length: Length, cost: &str) -> String {
-    let count = match edges.len() {
+    format!("{} twice (+{}{cost})", count(edges), shown_mm(length.mm()))
+}
+
+fn count(edges: &[EdgeId]) -> String {
+    match edges.len() {
         1 => "1 edge".to_owned(),
         count => format!("{count} edges"),
-    };
-    format!("{count} twice (+{}{cost})", shown_mm(length.mm()))
+    }
 }
 
 pub(super) fn doublings(edges: &[EdgeId]) -> EditRequest {

@@ -152,8 +152,9 @@ fn misnamed(path: &Path, chosen: &Chosen) -> Option<NoteReport> {
 
 /// Programs count the head's turns from where it stands, and its cables have an end.
 fn head_left_turned(content: &Content) -> Option<NoteReport> {
-    let steps = content.wires.iter().filter_map(|wire| wire.compensated.as_ref());
-    let ends: Vec<f64> = steps.map(|steps| steps.iter().map(|told| told.step.rotate.deg()).sum()).collect();
+    // Where it ends: what turns are off by, and what they lose, is in what it is told.
+    let steps = content.wires.iter().filter_map(|wire| wire.kept.as_ref());
+    let ends: Vec<f64> = steps.map(|wire| wire.scheduled.iter().map(|step| step.rotate_deg).sum()).collect();
     let left: Vec<String> =
         ends.iter().filter(|end: &&f64| end.abs() > SHOWN_AS_ZERO).map(|end| format!("{end:.1}°")).collect();
     (!left.is_empty()).then(|| NoteReport {
@@ -236,9 +237,11 @@ fn bends_tightened(count: usize) -> Option<NoteReport> {
     (count > 0).then(|| NoteReport {
         code: "bends-tightened".into(),
         count,
-        message: format!(
-            "{count} bends are drawn tighter than the machine bends them: their edges are too short"
-        ),
+        message: if count == 1 {
+            "1 bend is drawn tighter than the machine bends it: its edges are too short".to_owned()
+        } else {
+            format!("{count} bends are drawn tighter than the machine bends them: their edges are too short")
+        },
         remedies: Vec::new(),
     })
 }

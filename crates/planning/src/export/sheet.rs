@@ -1,7 +1,6 @@
 //! The job sheet: what is known of a plan or of a job, in words and numbers for a person.
 
 use wirebend_core::checks::Diagnostic;
-use wirebend_core::compensate::ToldStep;
 use wirebend_core::units::{DisplayUnit, Length, Mm};
 use wirebend_files::number::short;
 use wirebend_files::write::{Figure, Finding, JobSheet, SheetStep, SheetWire, job_sheet};
@@ -44,6 +43,7 @@ fn sheet(content: &Content, print: &Print) -> JobSheet {
         wires: content.wires.iter().map(|wire| sheet_wire(setup, wire)).collect(),
         joints: joints::lines(&content.joints),
         findings,
+        checked: content.report.is_some(),
         collisions,
         notes: content.notes.iter().map(|note| note.message.clone()).chain(pauses(content)).collect(),
         paper: print.paper,
@@ -124,7 +124,8 @@ fn sheet_wire(setup: &Setup, wire: &Wire) -> SheetWire {
         Some([step.feed_mm, step.rotate_deg, step.bend_deg])
     };
     let other_side = |index: usize| {
-        wire.compensated.as_ref().and_then(|steps| steps.get(index)).is_some_and(ToldStep::needs_side)
+        let told = wire.compensated.as_ref().and_then(|steps| steps.get(index));
+        told.is_some_and(|told| told.bends() && told.beyond_zero() <= 0.0)
     };
     let fed = |index: usize| commanded(index).map(|step| setup.model.compensation.motion.fed(step.feed).mm());
     let steps = wire.nominal.iter().enumerate().map(|(index, step)| SheetStep {
@@ -171,6 +172,14 @@ fn facts(setup: &Setup, wire: &Wire, length: Length) -> Vec<(String, String)> {
 }
 
 /// Figures of the machine and of the wire, with their sources as the profiles have them.
+/// The largest angle to either side: one figure where both are the same.
+fn two_sided(min: Option<&Sourced<f64>>, max: f64) -> String {
+    match min.map(|min| min.value) {
+        Some(min) if (min + max).abs() > 1e-9 => format!("{min}° to {max}°"),
+        _ => format!("{max}°"),
+    }
+}
+
 fn figures(setup: &Setup, unit: DisplayUnit) -> Vec<Figure> {
     let (machine, material) = (&setup.machine.profile, &setup.material.profile);
     let (of_machine, of_material) = (machine.id(), material.id());
@@ -198,9 +207,13 @@ fn figures(setup: &Setup, unit: DisplayUnit) -> Vec<Figure> {
         Some(radius),
         figure(of_material, "K-factor", &material.k_factor, &|k| k.to_string()),
         springback(setup),
-        figure(of_machine, "largest bend", &limits.max_bend_deg, &angle),
+        figure(of_machine, "largest bend", &limits.max_bend_deg, &|max| {
+            two_sided(limits.min_bend_deg.as_ref(), max)
+        }),
         figure(of_machine, "range of the bend axis", &bend.axis_limit_deg, &angle),
-        figure(of_machine, "range of the head", &limits.max_rotation_deg, &angle),
+        figure(of_machine, "range of the head", &limits.max_rotation_deg, &|max| {
+            two_sided(limits.min_rotation_deg.as_ref(), max)
+        }),
         figure(of_machine, "minimum feed", &limits.min_feed_mm, &length),
         figure(of_machine, "maximum feed", &limits.max_feed_mm, &length),
         figure(of_machine, "unusable tail", &limits.tail_mm, &length),

@@ -97,7 +97,14 @@ impl Replaced {
         let note = |(count, why): (usize, &str)| NoteReport {
             code: "doublings-replaced".into(),
             count,
-            message: format!("{count} accepted doublings {why}: the cheapest ones are used instead"),
+            message: format!(
+                "{} {why}: the cheapest ones are used instead",
+                if count == 1 {
+                    "1 accepted doubling".to_owned()
+                } else {
+                    format!("{count} accepted doublings")
+                }
+            ),
             remedies: Vec::new(),
         };
         let dearer = (self.dearer, "add more length than so many wires need");

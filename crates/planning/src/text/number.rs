@@ -17,6 +17,18 @@ pub(super) fn digits_beside(value: f64, limit: f64) -> usize {
     if (value - limit).abs() <= ROUNDING { 1 } else { digits_apart(value, limit, 1) }
 }
 
+/// A least value in so many digits: none that is shown is too little.
+pub(super) fn at_least(value: f64, digits: i32) -> f64 {
+    let shift = 10.0_f64.powi(digits);
+    (value * shift - 1e-6).ceil() / shift
+}
+
+/// The same of a largest one.
+pub(super) fn at_most(value: f64, digits: i32) -> f64 {
+    let shift = 10.0_f64.powi(digits);
+    (value * shift + 1e-6).floor() / shift
+}
+
 /// "$1.20"; a currency without a sign of its own behind the figure: "1.20 CHF".
 #[must_use]
 pub fn price(value: f64, currency: &str) -> String {
@@ -75,6 +87,15 @@ mod tests {
     #[test]
     fn a_price_has_the_sign_of_its_currency() {
         assert_eq!([price(0.237, "USD"), price(12.0, "CHF")], ["$0.24", "12.00 CHF"]);
+    }
+
+    /// What a person is told to do has to be enough.
+    #[test]
+    fn a_least_value_is_rounded_up_and_a_largest_one_down() {
+        let least = [0.02, 0.1, 0.14].map(|value| at_least(value, 1));
+        assert_eq!(least.map(|value| format!("{value:.1}")), ["0.1", "0.1", "0.2"]);
+        let most = [141.2278, 141.22].map(|value| at_most(value, 2));
+        assert_eq!(most.map(|value| format!("{value:.2}")), ["141.22", "141.22"]);
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! What can be done, as clauses that begin with a verb.
 
 use wirebend_core::checks::Remedy;
-use wirebend_core::units::Length;
+use wirebend_core::units::{Length, Mm};
 
-use super::number::count;
+use super::number::{at_least, at_most, count};
 
 /// One remedy, in the words of no front end.
 pub(super) fn clause(remedy: &Remedy) -> String {
@@ -52,7 +52,9 @@ pub(super) fn clause(remedy: &Remedy) -> String {
         Remedy::LeaveStartOpen => "leave its start open",
         Remedy::SplitDesign => "divide the design into several wires",
         Remedy::SplitEdge => "divide the edge among two wires",
-        Remedy::LengthenEdge { by: Some(by) } => return format!("make the edge at least {by:.1} longer"),
+        Remedy::LengthenEdge { by: Some(by) } => {
+            return format!("make the edge at least {:.1} longer", Mm(at_least(by.mm(), 1)));
+        }
         Remedy::LengthenEdge { by: None } => "make the edge longer",
         Remedy::ShortenStraight => "shorten the straight part",
         Remedy::AddBend => "put a bend into it",
@@ -60,7 +62,7 @@ pub(super) fn clause(remedy: &Remedy) -> String {
         Remedy::ScaleDown => "scale the design down",
         Remedy::OpenAngle => "open the angle between the two edges",
         Remedy::OpenAngleOfTwo => "open the angle between two of its edges",
-        Remedy::KeepBendBelow { max } => return format!("keep the bend below {max:.2}"),
+        Remedy::KeepBendBelow { max } => return format!("keep the bend below {:.2}°", at_most(max.deg(), 2)),
         Remedy::EnlargeBend => "make the bend larger",
         Remedy::Straighten => "make the edges straight there",
         Remedy::EaseBends => "make its bends gentler",

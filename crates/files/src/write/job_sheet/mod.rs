@@ -32,6 +32,8 @@ pub struct JobSheet {
     pub joints: Vec<String>,
     /// What the checks say.
     pub findings: Vec<Finding>,
+    /// Whether these are all: a job keeps no warnings of its plan.
+    pub checked: bool,
     /// What is known of collisions: lines for people.
     pub collisions: Vec<String>,
     /// What was assumed or left out.
@@ -165,7 +167,13 @@ fn joints(flow: &mut Flow, sheet: &JobSheet) {
 fn checks(flow: &mut Flow, sheet: &JobSheet) {
     flow.heading("Checks", 8.0);
     if sheet.findings.is_empty() {
-        let verdict = if sheet.feasible { "No problems found." } else { "See the notes." };
+        let verdict = match (sheet.feasible, sheet.checked) {
+            (true, true) => "No problems found.",
+            (true, false) => {
+                "No errors found. A job does not keep the warnings of its plan: check the design for them."
+            }
+            (false, _) => "See the notes.",
+        };
         flow.text(verdict, Type::new(3.2));
     }
     if sheet.feasible {

@@ -85,9 +85,13 @@ pub fn template(template: &Template) -> Drawing {
     ];
     if drawing.tightened > 0 {
         let tightened = drawing.tightened;
-        lines.push(format!(
-            "{tightened} bends are drawn tighter than the machine bends them: their sides are too short"
-        ));
+        lines.push(if tightened == 1 {
+            "1 bend is drawn tighter than the machine bends it: its sides are too short".to_owned()
+        } else {
+            format!(
+                "{tightened} bends are drawn tighter than the machine bends them: their sides are too short"
+            )
+        });
     }
     caption(&mut drawing.shapes, &lines, [0.0, top + GAP - 5.0]);
     drawing

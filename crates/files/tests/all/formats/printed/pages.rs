@@ -269,6 +269,7 @@ pub(super) fn sheet(steps: usize) -> JobSheet {
             facts: vec![("stock length".into(), "858.1 mm".into()), ("bends".into(), "10".into())],
             steps: (0..steps).map(step).collect(),
         }],
+        checked: true,
         findings: vec![Finding {
             severity: "error",
             code: "feed_too_short".into(),
