@@ -164,10 +164,11 @@ appimage: package ## an AppImage besides, in target/package (fetches its runtime
 	cd src-tauri && ../ui/node_modules/.bin/tauri bundle --bundles appimage --config '{"bundle": {"linux": {"appimage": {"files": {"/usr/lib/wirebend/drivers": "../target/package/drivers"}}}}}'
 	cp target/release/bundle/appimage/*.AppImage $(PACKAGES)/
 
-# $(call together,name,one,other) does both at a time. What the first says comes at the end, and stays in target/name.log.
+# $(call together,name,one,other) does both at a time. What the first says comes at the end, and stays in target/name.log; after that the
+# last lines of the other once more where it has failed.
 together = mkdir -p target; $(2) > target/$(1).log 2>&1 & first=$$!; trap 'kill $$first 2>/dev/null; exit 130' INT TERM HUP; \
-	{ $(3); }; second=$$?; \
-	wait $$first; first=$$?; cat target/$(1).log; exit $$((first | second))
+	{ { $(3); }; echo $$? > target/$(1).status; } 2>&1 | tee target/$(1)-beside.log; second=$$(cat target/$(1).status); \
+	wait $$first; first=$$?; cat target/$(1).log; test $$second = 0 || tail -n 60 target/$(1)-beside.log; exit $$((first | second))
 
 .PHONY: test
 # It is built with all the rest.
