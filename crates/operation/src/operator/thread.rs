@@ -124,6 +124,11 @@ pub(super) fn with_power(ProblemReport { code, message, mut remedies }: ProblemR
     ProblemReport { code, message: format!("{message}; {NOT_CONFIRMED}"), remedies }
 }
 
+/// Whether what happened to a wire could not be written down.
+const fn is_unrecorded(error: &OperationError) -> bool {
+    matches!(error, OperationError::Live(LiveProblem::Unrecorded { .. }))
+}
+
 /// Whether what failed says that the machine is not as it was taken to be.
 const fn is_of_machine(error: &OperationError) -> bool {
     use LiveProblem::{Fault, Held, Job, NoAnswer, Session, Stopped, Unstopped};
@@ -223,6 +228,8 @@ impl<'a> OperatorThread<'a> {
             (Some(StopOutcome { driver_ended: true, by, .. }), _) => {
                 Some(ProblemReport::from(&OperationError::from(OperatorError::DriverEnded { by })))
             }
+            // What a wire cannot be recorded by is no doing of a stop.
+            (Some(_), Err(error)) if is_unrecorded(&error) => Some(ProblemReport::from(&error)),
             // What failed while a stop was on its way is its doing.
             (Some(_), Err(_)) if self.connection.is_some() => None,
             // A person has said it.

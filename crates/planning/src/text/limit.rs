@@ -2,6 +2,8 @@
 
 use wirebend_core::checks::{LimitSource, ReachLimit};
 
+use super::number::digits_apart;
+
 /// Where a limit comes from. What a profile or a driver states is passed on as it is.
 #[must_use]
 pub fn source(source: LimitSource) -> String {
@@ -11,10 +13,13 @@ pub fn source(source: LimitSource) -> String {
         LimitSource::Diameter => "the diameter of the wire".to_owned(),
         LimitSource::EulerPath => "Euler: only the ends of wires may be odd".to_owned(),
         LimitSource::BendRadius(radius) => format!("bends of centreline radius {radius:.2}"),
-        LimitSource::Reach(ReachLimit::Axis { needed, travel }) => format!(
-            "the bend axis, which would have to reach {needed:.1} and goes to {:.1} [{}]",
-            travel.value, travel.source
-        ),
+        LimitSource::Reach(ReachLimit::Axis { needed, travel }) => {
+            let digits = digits_apart(needed.deg(), travel.value.deg(), 1);
+            format!(
+                "the bend axis, which would have to reach {needed:.digits$} and goes to {:.digits$} [{}]",
+                travel.value, travel.source
+            )
+        }
         LimitSource::Reach(ReachLimit::Peg) => {
             "springback and setback of this wire on this machine".to_owned()
         }
