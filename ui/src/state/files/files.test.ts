@@ -247,6 +247,26 @@ it("opens the file that was opened last, although one before is read for longer"
   ]);
 });
 
+it("adds each of several files, and none to a design that was opened meanwhile", async () => {
+  const reads: (() => void)[] = [];
+  platform.ask.mockImplementation(async (ask: string) => {
+    if (ask === "put-wireframe") return changed();
+    if (ask !== "look" || reads.length === 3) return answered(ask);
+    await new Promise<void>((read) => reads.push(read));
+    return answered("look");
+  });
+  const both = [openPath("/there/b.wirebend", "add"), openPath("/there/c.wirebend", "add")];
+  for (const read of reads) read();
+  await Promise.all(both);
+  expect(asked().filter((ask) => ask === "put-wireframe")).toHaveLength(2);
+  const late = openPath("/there/d.wirebend", "add");
+  await openPath("/there/e.wirebend");
+  reads[2]?.();
+  await late;
+  expect(asked().filter((ask) => ask === "put-wireframe")).toHaveLength(2);
+  expect(useProblems.getState().problems.map(({ code }) => code)).toEqual(["not-added"]);
+});
+
 it("keeps the other unsaved designs on offer when one is restored", async () => {
   const [one, other] = ["/k/1", "/k/2"].map((journal) => ({ journal, name: "", changes: 1, changed_s: 0, file: null }));
   useFiles.setState({ unsaved: [one, other] as never });

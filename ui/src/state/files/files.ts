@@ -157,15 +157,23 @@ async function opened(ask: () => Promise<DesignOpened>, name: string): Promise<b
   return done;
 }
 
-/** How many files were looked into. */
+/** How many files were looked into to be opened as designs. */
 let looks = 0;
 
-/** Opens a file, or asks first how it is to be read. Of several that are opened at a time it is the last, however long another one takes. */
+/**
+ * Opens a file, or asks first how it is to be read. Of several designs that are opened at a time it is the last, however long another one
+ * takes. What comes into a design comes into the one that it was picked for.
+ */
 export async function openPath(path: string, purpose: Purpose = "design", use: RunUse = "run"): Promise<void> {
-  looks += 1;
+  if (purpose === "design") looks += 1;
   const mine = looks;
   const look = await reading(baseName(path), () => told(asking("look", { design: { input: { file: path } } })));
-  if (!look || mine !== looks) return;
+  if (!look) return;
+  if (mine !== looks) {
+    if (purpose !== "design")
+      tell("warning", `${baseName(path)} was not added: another design was opened meanwhile.`, "not-added");
+    return;
+  }
   if (look.seen === "job") {
     if (purpose === "design") await runFile(path);
     else if (purpose === "add")
