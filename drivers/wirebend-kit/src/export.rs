@@ -39,13 +39,12 @@ pub(crate) fn approaches_left_out(job: &Job) -> Result<Option<Note>, DriverError
         let steps = wire.machine_steps(index)?;
         count += steps.iter().filter(|step| step.approach_deg.is_some()).count();
     }
-    let bends = if count == 1 { "1 bend needs" } else { "bends need" };
-    let many = if count == 1 { String::new() } else { format!("{count} ") };
+    let bends = if count == 1 { "1 bend needs".to_owned() } else { format!("{count} bends need") };
     Ok((count > 0).then(|| Note {
         code: "approach-not-carried".to_owned(),
         count,
         message: format!(
-            "{many}{bends} the peg to come out farther from the wire than it does by itself, and WireBend-kit text cannot say so: the peg \
+            "{bends} the peg to come out farther from the wire than it does by itself, and WireBend-kit text cannot say so: the peg \
              may hit wire that was bent before; run the job itself, which has it"
         ),
     }))
