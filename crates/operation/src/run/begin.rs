@@ -4,8 +4,9 @@ use wirebend_driver_host::Permit;
 use wirebend_driver_host::jobs::{Clock, Heading, JobRun, Journal, WireJob};
 
 use super::about::about;
+use super::absence::Watch;
 use super::cutting::{AfterCut, WirePermit};
-use super::making::{Making, Watch};
+use super::making::Making;
 use super::report::{LeftBecause, RunResponse};
 use super::task::Task;
 use crate::live::{Connection, Unnamed, Zero, ask_permit, connect, refused};

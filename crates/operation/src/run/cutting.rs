@@ -4,7 +4,7 @@ use wirebend_driver_host::api::{Capability, Event};
 use wirebend_driver_host::{Permit, PermitKind, Session, Standstill};
 use wirebend_error::ProblemReport;
 
-use super::making::Watch;
+use super::absence::Watch;
 use super::report::RunResponse;
 use super::task::Task;
 use crate::live::{Connection, refused, stop_of};

@@ -1,12 +1,13 @@
 //! The loop that runs one wire, and what becomes of it.
 
-use std::time::{Duration, Instant, SystemTime};
+use std::time::{Duration, Instant};
 
 use wirebend_driver_host::api::PausedBy;
 use wirebend_driver_host::jobs::{JobError, JobRun, JobState, PartMade, Progress as Told, Resume};
-use wirebend_driver_host::{Permit, Phase, Session, Standstill, StoppedBy, report_of};
+use wirebend_driver_host::{Permit, Session, Standstill, StoppedBy, report_of};
 use wirebend_error::{ErrorCode, ProblemReport};
 
+use super::absence::{Watch, ask_after_absence, may_surprise};
 use super::report::{RunOutcome, RunResponse, StoppedIn, WireRun};
 use super::step_watch::StepWatch;
 use super::task::Task;
@@ -16,10 +17,6 @@ use wirebend_planning::simulate::KeptWire;
 
 /// How long a machine is looked at where it is not known whether it holds.
 const LOOK_AGAIN: Duration = Duration::from_millis(600);
-/// A program that was away for longer has not watched the machine, as when the computer slept: the user who said yes may
-/// have their hands in it now. A second of silence, after which a machine holds, a busy computer has now and then.
-const AWAY: Duration = Duration::from_secs(10);
-
 /// One wire that is being bent.
 pub(super) struct Making<'t, 'a> {
     pub task: &'t Task<'a>,
@@ -32,35 +29,6 @@ pub(super) struct Making<'t, 'a> {
     pub steps: StepWatch,
     /// The step after which the wire stands at a pause point of which a person was told before they said that it resumes.
     pub past_pause: Option<u32>,
-}
-
-/// Whether the program has watched the machine all the time. By the time of day, since that runs on while the
-/// computer sleeps.
-#[derive(Default)]
-pub(super) struct Watch {
-    looked: Option<SystemTime>,
-    /// When it came back.
-    away: Option<Instant>,
-}
-
-impl Watch {
-    /// Whether it has just come back.
-    pub(super) fn look(&mut self) -> bool {
-        let now = SystemTime::now();
-        let before = self.looked.replace(now);
-        // A clock that was set back says nothing.
-        let gap = before.and_then(|before| now.duration_since(before).ok()).unwrap_or_default();
-        let is_back = gap > AWAY;
-        if is_back {
-            self.away = Some(Instant::now());
-        }
-        is_back
-    }
-
-    /// Whether it was away shortly before.
-    pub(super) fn was_away(&self) -> bool {
-        self.away.is_some_and(|back| back.elapsed() < AWAY)
-    }
 }
 
 /// A wire that a simulated machine has bent, beside its design.
@@ -200,8 +168,10 @@ impl Making<'_, '_> {
                 self.grant(wish, observer);
             }
             // Before anything more is sent: only some machines hold by themselves where nobody looks at them.
-            if self.watch.look() && self.may_surprise() {
-                self.ask_after_absence(observer)?;
+            if self.watch.look() && may_surprise(&mut self.run) {
+                ask_after_absence(&mut self.run, observer)?;
+                // The time in which the question was open is no absence, and one yes is enough where the machine holds, too.
+                self.watch = Watch::default();
                 continue;
             }
             let hold = match self.look(observer, heard)? {
@@ -313,30 +283,6 @@ impl Making<'_, '_> {
         Ok(())
     }
 
-    /// Whether a machine that is sent more would move under the hands of somebody. What is simulated has nobody at it.
-    fn may_surprise(&mut self) -> bool {
-        self.run.overview().phase == Phase::Making && self.run.session().simulated().is_none()
-    }
-
-    /// The program was away while the wire was bent, and the machine has run what it was sent before. It is sent nothing more until a
-    /// person has said so.
-    fn ask_after_absence(&mut self, observer: &mut MachineObserver) -> Result<(), OperationError> {
-        let question =
-            "this program was away for a while, and the machine runs what it was sent before. May it go on?";
-        let said = observer.progress.confirm(question);
-        if self.run.session().last_stop().is_some() {
-            return Ok(());
-        }
-        // The time in which the question was open is no absence, and one yes is enough where the machine holds, too.
-        self.watch = Watch::default();
-        if said == Some(true) {
-            return Ok(());
-        }
-        let message = "this program was away for a while, and it was not confirmed that the wire goes on: it was stopped";
-        observer.warn(ProblemReport::new(ErrorCode::Held, message.to_owned(), Vec::new()));
-        Ok(self.run.stop().1.map_err(LiveProblem::from)?)
-    }
-
     /// The wire as a simulated machine has bent it.
     fn made(&self, heard: &Heard) -> Result<Option<Bent>, OperationError> {
         if heard.corners_mm.is_empty() {
@@ -407,26 +353,5 @@ impl Making<'_, '_> {
             resumable: (!over && !state.is_blank()).then(|| self.task.target(self.wire)),
             ..untouched
         })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Were a sleep not noticed, a machine would resume by itself under the hands of the user who opens the lid.
-    #[test]
-    fn a_program_that_slept_was_away() {
-        let mut watch = Watch::default();
-        watch.look();
-        watch.look();
-        assert!(!watch.was_away());
-        watch.looked = SystemTime::now().checked_sub(AWAY * 2);
-        assert!(watch.look(), "it has come back");
-        assert!(!watch.look() && watch.was_away(), "it is here again");
-        // A clock that was set back is no sleep.
-        let mut watch = Watch { looked: SystemTime::now().checked_add(AWAY * 2), away: None };
-        watch.look();
-        assert!(!watch.was_away());
     }
 }

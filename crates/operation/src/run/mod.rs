@@ -1,9 +1,11 @@
 //! `run`: a job run on its machine, wire by wire, with a journal that outlives whatever happens.
 
 mod about;
+mod absence;
 mod begin;
 mod cutting;
 mod doubt;
+mod giving_up;
 mod interrupted;
 mod making;
 mod pausing;

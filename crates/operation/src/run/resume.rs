@@ -9,9 +9,10 @@ use wirebend_files::document::JobPause;
 use wirebend_planning::pauses;
 
 use super::about::{about, first};
+use super::absence::Watch;
 use super::doubt::{is_settled, said_before};
 use super::interrupted::Interrupted;
-use super::making::{Making, Watch};
+use super::making::Making;
 use super::report::{LeftBecause, RunOutcome, RunResponse, WireRun};
 use super::task::Task;
 use crate::live::{Connection, Unnamed, ask_permit, connect, refused};
