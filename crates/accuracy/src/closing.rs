@@ -79,14 +79,11 @@ impl Prepared<'_> {
         closed.pop().unwrap_or_else(|| Closed::nothing(self.model.vertices.len()))
     }
 
-    /// How far the passes of a wire through one vertex are apart at most before they are closed, mm.
+    /// How far the passes through one vertex, of one wire or of several, are apart at most before they are closed, mm. None where no
+    /// vertex is passed twice.
     #[must_use]
-    pub fn gap(&self, draw: &Draw) -> f64 {
-        let model = self.model;
-        let wires = model.wires.iter().enumerate();
-        let gaps =
-            wires.map(|(index, wire)| gap(wire, &made(wire, index, &model.vertices, &model.sources, draw)));
-        gaps.fold(0.0, f64::max)
+    pub fn gap(&self, draw: &Draw) -> Option<f64> {
+        gap(self.made(draw).into_iter().flatten().collect())
     }
 
     /// Of each wire the vertices that it passes, as indices, and where its motions leave those passes one after the other, mm, before

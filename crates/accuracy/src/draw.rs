@@ -99,14 +99,14 @@ fn across(strut: &Vector3<f64>, angle: f64) -> Vector3<f64> {
     side * angle.cos() + along.cross(&side) * angle.sin()
 }
 
-/// How far the passes of a wire through one vertex are apart at most before anything is closed, mm.
-pub(super) fn gap(wire: &FrameWire, made: &[Point3<f64>]) -> f64 {
-    let mut passes: Vec<(usize, &Point3<f64>)> = wire.vertices.iter().copied().zip(made).collect();
+/// How far passes through one vertex are apart at most, mm: each is a vertex and where it is passed. None where none is passed twice.
+pub(super) fn gap(mut passes: Vec<(usize, Point3<f64>)>) -> Option<f64> {
     passes.sort_by_key(|&(vertex, _)| vertex);
-    let distances = passes.chunk_by(|(a, _), (b, _)| a == b).flat_map(|passes| {
-        passes.iter().flat_map(move |(_, a)| passes.iter().map(move |(_, b)| (*a - *b).norm()))
+    let again = passes.chunk_by(|(a, _), (b, _)| a == b).filter(|passes| passes.len() > 1);
+    let distances = again.flat_map(|passes| {
+        passes.iter().flat_map(move |(_, a)| passes.iter().map(move |(_, b)| (a - b).norm()))
     });
-    distances.fold(0.0, f64::max)
+    distances.reduce(f64::max)
 }
 
 /// The passes of a wire as its motions leave them one after the other, mm, in the order of the wire. Bows do not count: the ends of a

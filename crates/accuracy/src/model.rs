@@ -156,6 +156,12 @@ impl ClosingModel {
         self.struts.len()
     }
 
+    /// The length of the shortest strut, mm.
+    #[must_use]
+    pub fn shortest_strut(&self) -> f64 {
+        self.struts.iter().map(|strut| self.way(strut).norm()).fold(f64::INFINITY, f64::min)
+    }
+
     /// All vertices at which struts end, together: what is off after the motion of the whole that fits them best.
     #[must_use]
     pub fn whole(&self) -> Surface {

@@ -8,7 +8,7 @@ use wirebend_frame::{
     Assembly, EndMotion, Load, Material, Member, MemberId, Model, NodeId, Section, SectionId, Support,
 };
 
-use super::draw::made;
+use super::draw::{gap, made};
 use super::{Closing, ClosingModel, FrameWire, Surface};
 use crate::testing::deg;
 
@@ -123,4 +123,28 @@ fn wires_that_are_none_are_refused_by_name() {
         model.straight().unwrap().expected(Closing::Aligned, &bowed, &whole),
         Err(super::ClosingError::Bowed)
     );
+}
+
+/// Two wires meet at vertices that neither passes twice: what their motions leave between them is a gap as well.
+#[test]
+fn passes_of_several_wires_are_apart_where_they_meet() {
+    let corners = [[0.0, 0.0], [100.0, 0.0], [100.0, 100.0], [0.0, 100.0]];
+    let corners = corners.map(|[x, y]| Point3::new(x, y, 0.0));
+    let path = |vertices: &[usize]| {
+        let points: Vec<_> = vertices.iter().map(|&vertex| corners[vertex]).collect();
+        wire(&points, vertices.to_vec())
+    };
+    let around = [0, 1, 2, 3];
+    let longer = ErrorTerm { bias: 1.0, sigma: 0.0 };
+    let errors = ErrorModel { feed_mm: longer, ..ErrorModel::default() };
+    let gap_of = |wires: Vec<FrameWire>| {
+        let model = ClosingModel::new(&corners, &wires, &steel()).unwrap();
+        let draw = model.draw(&errors, 1, 0).unwrap();
+        model.straight().unwrap().gap(&draw)
+    };
+    assert_eq!(gap_of(vec![path(&around)]), None, "nothing is passed twice");
+    // The first one, whose edges are all a mm too long, misses the corner where the second one begins.
+    let apart = gap_of(vec![path(&around), path(&[3, 0, 2])]).unwrap();
+    assert!(apart >= 1.0 - 1e-9, "{apart}");
+    assert_eq!(gap(vec![(1, corners[0]), (0, corners[1]), (1, corners[1]), (2, corners[3])]), Some(100.0));
 }

@@ -1,6 +1,10 @@
 //! How good a machine must be: deviations of its motions for what is required of the closed frame. Effects grow in proportion.
 
 use super::closing::mean;
+use super::model::ClosingModel;
+
+/// Effects of a mm or a degree are none below this share of what a strut does that is a mm too long.
+const ROUNDING: f64 = 1e-12;
 
 /// What a standard deviation of one unit does to a frame.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -11,6 +15,21 @@ pub struct Effects {
     pub force: f64,
     /// Von Mises stress, RMS, MPa.
     pub stress: f64,
+}
+
+impl Effects {
+    /// The same without those that are rounding: wires that close no loop are forced to nothing.
+    #[must_use]
+    pub fn without_rounding(self, of: &ClosingModel) -> Self {
+        let above = |effect: f64, scale: f64| if effect > ROUNDING * scale { effect } else { 0.0 };
+        let shortest = of.shortest_strut();
+        let stress = of.section.e / shortest;
+        Self {
+            faces: self.faces.into_iter().map(|off| above(off, shortest)).collect(),
+            force: above(self.force, stress * of.section.area),
+            stress: above(self.stress, stress),
+        }
+    }
 }
 
 /// What a frame comes to.

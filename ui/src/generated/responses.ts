@@ -4792,7 +4792,8 @@ export interface ClosingReport {
    */
   faces: number | null;
   /**
-   * How far passes through one vertex are apart at most before they are pulled together; null for an expectation.
+   * How far passes through one vertex are apart at most before they are pulled together; null for an expectation, and where no vertex
+   * is passed twice.
    */
   gap_mm: number | null;
   /**
@@ -4863,7 +4864,8 @@ export interface ClosingFigures {
    */
   energy_n_mm: number;
   /**
-   * How far passes through one vertex are apart at most before they are pulled together; null for an expectation.
+   * How far passes through one vertex are apart at most before they are pulled together; null for an expectation, and where no vertex
+   * is passed twice.
    */
   gap_mm: number | null;
   /**

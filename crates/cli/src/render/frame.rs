@@ -7,7 +7,7 @@ use wirebend_api::{
     ResourcesReport, StaticReport, ToleranceResponse,
 };
 
-use super::number::{count, mm};
+use super::number::{self, count, mm};
 use super::tables::table;
 use super::{notes, plan, written};
 
@@ -59,15 +59,28 @@ fn row(out: &mut impl Write, label: &str, words: &str) -> std::io::Result<()> {
 }
 
 fn carried(out: &mut impl Write, found: &StaticReport) -> std::io::Result<()> {
-    row(out, "displacement", &format!("{:.4} mm at vertex {}", found.max_displacement_mm, found.at_vertex))?;
+    let most_displaced = number::or_less(found.max_displacement_mm, 4);
+    row(out, "displacement", &format!("{most_displaced} mm at vertex {}", found.at_vertex))?;
     let most = |of: fn(&MemberReport) -> Option<f64>| {
         let known = found.members.iter().filter_map(|member| Some((member.edge, of(member)?)));
         known.max_by(|a, b| a.1.total_cmp(&b.1))
     };
+    let used = |edge: u32| {
+        let share = found.members.iter().find(|member| member.edge == edge)?.utilisation?;
+        Some(format!("{:.1} % of what yields", 100.0 * share))
+    };
     if let Some((edge, stress)) = most(|member| member.von_mises_mpa) {
-        let shares = found.members.iter().filter_map(|member| member.utilisation);
-        let share = shares.reduce(f64::max).map(|share| format!(", {:.1} % of what yields", 100.0 * share));
-        row(out, "stress", &format!("{stress:.3} MPa in edge {edge}{}", share.unwrap_or_default()))?;
+        let share = used(edge).map(|share| format!(", {share}")).unwrap_or_default();
+        row(out, "stress", &format!("{stress:.3} MPa in edge {edge}{share}"))?;
+        // Of several materials another may be nearer to what it bears.
+        let nearest = most(|member| member.utilisation).filter(|&(nearest, _)| nearest != edge);
+        let nearest = nearest.filter(|(_, share)| {
+            let of_edge = found.members.iter().find(|member| member.edge == edge);
+            of_edge.and_then(|member| member.utilisation).is_none_or(|of_edge| *share > of_edge)
+        });
+        if let Some((nearest, share)) = nearest.and_then(|(edge, _)| Some((edge, used(edge)?))) {
+            row(out, "nearest to yield", &format!("edge {nearest}, {share}"))?;
+        }
     }
     match most(|member| Some(member.buckling_ratio)).filter(|&(_, ratio)| ratio > 0.0) {
         Some((edge, ratio)) => {
@@ -154,10 +167,18 @@ fn takes(out: &mut impl Write, found: &ResourcesReport) -> std::io::Result<()> {
 pub(super) fn tolerance(out: &mut impl Write, found: &ToleranceResponse) -> std::io::Result<()> {
     notes(out, &found.notes)?;
     if let Some(sigma) = found.feed_sigma_mm {
-        row(out, "feeds", &format!("within {sigma:.5} mm (standard deviation)"))?;
+        row(
+            out,
+            "feeds",
+            &format!("within {} mm (standard deviation)", number::at_least_three_digits(sigma, 5)),
+        )?;
     }
     if let Some(sigma) = found.angle_sigma_deg {
-        row(out, "bends, rotations", &format!("within {sigma:.4}° (standard deviation)"))?;
+        row(
+            out,
+            "bends, rotations",
+            &format!("within {}° (standard deviation)", number::at_least_three_digits(sigma, 4)),
+        )?;
     }
     let governs = match found.governed_by {
         RequirementName::Surface => "the surface",

@@ -6,7 +6,7 @@ use wirebend_api::{
     DiagnosticReport, RemedyReport, SequenceResponse, SequenceStepReport, StepTypeName, StrategyName,
 };
 
-use super::number::{count, mm};
+use super::number::{self, count, mm};
 use super::tables::table;
 use super::{notes, plan};
 
@@ -55,7 +55,15 @@ fn feasible(out: &mut impl Write, found: &SequenceResponse) -> std::io::Result<(
         &format!("{} on {}: {how}", count(found.steps.len(), "step", "steps"), found.machine),
     )?;
     if let Some(most) = found.max_displacement_mm {
-        row(out, "sag", &format!("{most:.4} mm at most; a joint may be {:.4} mm off", found.epsilon_mm))?;
+        row(
+            out,
+            "sag",
+            &format!(
+                "{} mm at most; a joint may be {:.4} mm off",
+                number::or_less(most, 4),
+                found.epsilon_mm
+            ),
+        )?;
     }
     row(
         out,
@@ -69,7 +77,7 @@ fn feasible(out: &mut impl Write, found: &SequenceResponse) -> std::io::Result<(
         (Some(time), Some(travel)) => row(
             out,
             "takes",
-            &format!("{:.0} min, with {} mm of travel between struts", time / 60.0, mm(travel)),
+            &format!("{}, with {} mm of travel between struts", number::duration(time), mm(travel)),
         ),
         _ => Ok(()),
     }
@@ -85,7 +93,8 @@ fn steps(out: &mut impl Write, steps: &[SequenceStepReport]) -> std::io::Result<
         let edges = if step.edges.is_empty() { step.edge.to_string() } else { list(&step.edges) };
         let from = step.from_vertex.map(|vertex| vertex.to_string()).unwrap_or_default();
         let direction = step.direction.map(|[x, y, z]| format!("{x:.3} {y:.3} {z:.3}")).unwrap_or_default();
-        let sag = step.max_displacement_mm.map(|sag| format!("{sag:.4} mm")).unwrap_or_default();
+        let sag =
+            step.max_displacement_mm.map(|sag| format!("{} mm", number::or_less(sag, 4))).unwrap_or_default();
         [(k + 1).to_string(), edges, from, kind.to_owned(), direction, step.free_directions.to_string(), sag]
     });
     table(out, ["step", "edge", "from", "what", "head's axis", "free", "sag"], rows)?;

@@ -204,6 +204,22 @@ fn half_of_what_is_required_takes_half_the_errors() {
     near(&(of(&both) / of(&one)).into(), 0.5_f64.sqrt(), 1e-9);
 }
 
+/// A wire that closes no loop is pulled nowhere: no feed is too long for its forces. What was left by rounding set limits of 10^12 mm.
+#[test]
+fn what_pulls_at_nothing_has_no_tolerance() {
+    for file in ["u-sample.obj", "spring.obj"] {
+        let wire = example(file);
+        let asked = ["tolerance", &wire, "--units", "mm", "--machine", "wirebend-kit", "--json"];
+        for require in ["force=5N", "stress=100MPa"] {
+            for vary in ["feed", "angle", "both"] {
+                let refused =
+                    run(&[&asked[..], &["--require", require, "--vary", vary]].concat()).ended(2).json();
+                assert_eq!(refused["error"]["code"], "no-limit", "{file}, {require}, {vary}");
+            }
+        }
+    }
+}
+
 /// Table 1 of Bend-Forming, from the scripts that its authors bent: length, bends and mass; energy and time by its factors.
 #[test]
 fn the_authors_scripts_take_what_table_1_has() {

@@ -95,9 +95,6 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
         .filter(|(_, edge)| ceilings.contains(&ends(**edge)))
         .map(|(k, _)| k)
         .collect();
-    if layers.is_empty() {
-        return drawing.finish(Format::Pwf, source, options);
-    }
     let (edges, feet, count) = (drawing.edges.clone(), drawing.supports.clone(), drawing.points.len());
     let (mut imported, kept) = drawing.finish_kept(Format::Pwf, source, options)?;
     let vertex = |index: u32| kept.get(index as usize).map_or(VertexId(index), |kept| VertexId(*kept));

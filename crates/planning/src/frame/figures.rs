@@ -21,7 +21,8 @@ pub struct ClosingFigures {
     pub largest_pull_n: Option<f64>,
     /// What is stored in the wire.
     pub energy_n_mm: f64,
-    /// How far passes through one vertex are apart at most before they are pulled together; null for an expectation.
+    /// How far passes through one vertex are apart at most before they are pulled together; null for an expectation, and where no vertex
+    /// is passed twice.
     pub gap_mm: Option<f64>,
 }
 

@@ -21,7 +21,8 @@ const MAX_THREADS: usize = 8;
 /// How many figures a wire has.
 const FIGURES: usize = 7;
 
-/// Figures of one wire, or of many: surface, vertices, force, stress, pull, energy, gap. Without a pull that is not a number.
+/// Figures of one wire, or of many: surface, vertices, force, stress, pull, energy, gap. Without a pull, and without
+/// passes that could be apart, that is not a number.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Figures([f64; FIGURES]);
 
@@ -103,7 +104,7 @@ impl Runs<'_> {
             closed.von_mises_rms(),
             closed.largest_pull().unwrap_or(f64::NAN),
             closed.energy,
-            prepared.gap(&draw),
+            prepared.gap(&draw).unwrap_or(f64::NAN),
         ]))
     }
 }
@@ -147,7 +148,7 @@ impl From<Figures> for ClosingFigures {
             von_mises_rms_mpa: stress,
             largest_pull_n: Some(pull).filter(|pull| !pull.is_nan()),
             energy_n_mm: energy,
-            gap_mm: Some(gap),
+            gap_mm: Some(gap).filter(|gap| !gap.is_nan()),
         }
     }
 }

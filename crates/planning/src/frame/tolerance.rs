@@ -194,7 +194,7 @@ pub fn tolerance(
             let angle = wires.effects(closing, &one_degree(), request.vary != VaryName::Feed)?;
             let found = wirebend_accuracy::tolerance(&feed, &angle, &required, vary).map_err(no_limit)?;
             notes.extend(wires.notes);
-            notes.extend(beyond_proportion(&found));
+            notes.extend(beyond_proportion(&found, wires.model.shortest_strut()));
             notes.extend(yields(&found, wires.material.section().yield_strength));
             Ok(ToleranceResponse::new(wires.material.id, &found, true, notes))
         }
@@ -203,15 +203,28 @@ pub fn tolerance(
 
 /// Bends and rotations that are off by more than so many degrees do not act in proportion any more: a sine is off by a thousandth.
 const PROPORTIONAL_DEG: f64 = 5.0;
+/// As a share of the shortest strut the way that a strut's end goes in so many degrees.
+const PROPORTIONAL_SHARE: f64 = 0.1;
 
-fn beyond_proportion(found: &Tolerance) -> Option<NoteReport> {
-    let degrees = found.angle_sigma.filter(|&degrees| degrees > PROPORTIONAL_DEG)?;
+fn beyond_proportion(found: &Tolerance, shortest_mm: f64) -> Option<NoteReport> {
+    let degrees = found.angle_sigma.filter(|&degrees| degrees > PROPORTIONAL_DEG);
+    let angles = degrees.map(|degrees| {
+        format!(
+            "{degrees:.1}° are beyond the {PROPORTIONAL_DEG}° up to which effects grow in proportion: bends and rotations hardly limit what is required"
+        )
+    });
+    let feed = found.feed_sigma.filter(|&feed| feed > PROPORTIONAL_SHARE * shortest_mm);
+    let feeds = feed.map(|feed| {
+        let percent = 100.0 * PROPORTIONAL_SHARE;
+        format!(
+            "{feed:.1} mm are more than {percent} % of the shortest strut of {shortest_mm:.1} mm, up to which effects grow in proportion: feeds hardly limit what is required"
+        )
+    });
+    let first = angles.or(feeds)?;
     Some(NoteReport {
         code: "beyond-proportion".into(),
         count: 1,
-        message: format!(
-            "{degrees:.1}° are beyond the {PROPORTIONAL_DEG}° up to which effects grow in proportion: bends and rotations hardly limit what is required, and this is no figure to build by"
-        ),
+        message: format!("{first}, and this is no figure to build by"),
         remedies: Vec::new(),
     })
 }
@@ -276,7 +289,8 @@ impl Wires {
         let surface: &Surface = &self.surface;
         let expected = self.model.straight().and_then(|prepared| prepared.expected(closing, errors, surface));
         let expected = expected.map_err(|error| self.failed(error))?;
-        Ok(Effects { faces: expected.faces_rms, force: expected.axial_rms, stress: expected.von_mises_rms })
+        let [force, stress] = [expected.axial_rms, expected.von_mises_rms];
+        Ok(Effects { faces: expected.faces_rms, force, stress }.without_rounding(&self.model))
     }
 }
 

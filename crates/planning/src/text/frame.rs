@@ -3,7 +3,7 @@
 use wirebend_core::checks::Location;
 use wirebend_core::units::Length;
 
-use super::number::count;
+use super::number::{count, digits_apart};
 
 pub(super) fn unsupported(at: &Location, edges: usize, whole: bool) -> String {
     let edges = count(edges, "edge", "edges");
@@ -27,8 +27,9 @@ pub(super) fn hardly_stands(at: &Location, displacement: Length, size: Length) -
 }
 
 pub(super) fn overstressed(at: &Location, stress_mpa: f64, yield_mpa: f64) -> String {
+    let digits = digits_apart(stress_mpa, yield_mpa, 1);
     format!(
-        "{} yields: {stress_mpa:.1} MPa, and it bears {yield_mpa:.1} MPa{}",
+        "{} yields: {stress_mpa:.digits$} MPa, and it bears {yield_mpa:.digits$} MPa{}",
         strut(at),
         others(at, "yield")
     )

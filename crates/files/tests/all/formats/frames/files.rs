@@ -142,6 +142,8 @@ fn a_pwf_has_layers_and_a_ceiling() {
     assert_eq!(ceiling, [true, false, false, false]);
     assert_eq!(frame.supports.keys().collect::<Vec<_>>(), [&VertexId(3)]);
     assert_eq!(frame.nodes[&4], VertexId(3), "numbers count from 1");
+    let plain = import("a.pwf", "v 0 0 0\nv 0 0 9\nl 1 2\n").unwrap().frame.unwrap();
+    assert_eq!(plain.nodes[&2], VertexId(1), "without layers, too");
 }
 
 #[test]
