@@ -7,7 +7,7 @@ use crate::exports::bounds::Off;
 use crate::exports::compared::{Rounding, assert_same_wire, assert_steps, path};
 use crate::exports::planned::each_case;
 
-/// Three decimals are written, each number rounded alone.
+/// Three decimals are written, of feeds and turns those that add up right.
 const DIGIT: f64 = 1e-3;
 
 #[test]
@@ -19,9 +19,15 @@ fn every_case_is_the_wire_of_its_text() {
             let found = read(text.as_bytes(), "text.txt", Some(Format::Kit), &options).unwrap();
             let steps = found.program.unwrap().program.steps;
             let case = &planned.name;
-            assert_steps(case, &steps, &wire.compensated, DIGIT, [Rounding::Each; 3]);
-            // Half a digit of each of the three numbers.
-            let off = vec![Off { feed_mm: DIGIT / 2.0, angles_deg: DIGIT }; steps.len()];
+            assert_steps(
+                case,
+                &steps,
+                &wire.compensated,
+                DIGIT,
+                [Rounding::Sum, Rounding::Sum, Rounding::Each],
+            );
+            // A digit of a feed and a turn, between whose sums it is, and half of one of a bend.
+            let off = vec![Off { feed_mm: DIGIT, angles_deg: 1.5 * DIGIT }; steps.len()];
             assert_same_wire(case, &path(&steps), &path(&wire.compensated), &off);
         }
     });
