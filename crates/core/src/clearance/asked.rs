@@ -63,7 +63,7 @@ pub(super) struct Asked<'a> {
     strokes: &'a Strokes,
     /// How far things have to stay from each other.
     margin: Length,
-    /// What counts of the wire, for each question that has come up.
+    /// What counts of the wire, for each question that has come up: the first phase in which it counts.
     counting: Vec<(Phase, Touch, Parts<'a>)>,
     /// The shapes of a wire that hangs, by what it depends on how it does.
     shapes: Vec<([f64; 5], Vec<Slice>)>,
@@ -164,12 +164,13 @@ impl<'a> Asked<'a> {
     /// The place of what counts of the wire in a stroke.
     fn counting(&mut self, stroke: &Stroke, obstacle: Obstacle, body: &Body) -> usize {
         let Self { clearance, step, .. } = *self;
-        let phase = stroke.phase;
+        // Once the head has turned nothing is fed or turned any more, and the same counts until the step is over.
+        let phase = stroke.phase.min(Phase::Approach);
         let leg = &clearance.centreline.legs[step];
         let out = if phase == Phase::Feed { leg.straight.from } else { leg.straight.to };
         let touch = match obstacle {
             // A wire that is overbent presses on the vertices that it closes: by that the struts of these may be gone past.
-            Obstacle::Stock if phase == Phase::Bend && !stroke.overbends() => {
+            Obstacle::Stock if stroke.phase == Phase::Bend && !stroke.overbends() => {
                 Touch::StockPassing { near: clearance.wire.diameter.mm() + self.margin.mm().max(0.0) }
             }
             Obstacle::Stock => Touch::Stock,
