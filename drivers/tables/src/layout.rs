@@ -52,6 +52,8 @@ pub(crate) fn bends(settings: &Settings, format: TableFormat) -> Result<BendLayo
         (None, None) => format.columns().to_vec(),
     };
     distinct("columns", &columns)?;
+    // The names of a preset say lengths and rotations as it counts them, and of others what they are not.
+    let is_as_said = (said.lengths, said.rotation) == (Some(lengths), Some(rotation));
     let names = match (&settings.header_names, preset) {
         (Some(_), None) if settings.columns.is_none() => {
             let message = "'header_names' is set and 'columns' is not: the formats have different columns";
@@ -61,8 +63,8 @@ pub(crate) fn bends(settings: &Settings, format: TableFormat) -> Result<BendLayo
             fitting("header_names", names, "columns", columns.len(), style.separator)?;
             names.clone()
         }
-        (None, Some(columns)) => columns.iter().map(|(_, name)| (*name).to_owned()).collect(),
-        (None, None) => {
+        (None, Some(columns)) if is_as_said => columns.iter().map(|(_, name)| (*name).to_owned()).collect(),
+        (None, _) => {
             let name = |&column| format.column_name(column, lengths, rotation, style.unit);
             columns.iter().map(name).collect()
         }

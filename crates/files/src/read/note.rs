@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use wirebend_core::units::{Length, Mm};
 use wirebend_error::{ErrorRemedy, InputName};
 
 use super::error::Location;
@@ -53,6 +54,10 @@ pub enum NoteKind {
     RadiusAssumed,
     /// The caller's bend radius, of a table that needs none.
     RadiusUnused,
+    /// Bends of a table that have a radius: a wireframe keeps their corners.
+    RadiiLost,
+    /// No column of a table has the rotations.
+    RotationMissing,
     /// Nothing says which way the rotations of a table turn.
     HandednessAssumed,
     /// A table says that its rotations turn the other way.
@@ -113,6 +118,8 @@ pub struct Note {
     pub count: usize,
     /// Where the first of them is in the file, as far as the reader knows.
     pub first: Option<Location>,
+    /// The least and the greatest of what has a size.
+    pub sizes: Option<[Length; 2]>,
 }
 
 const ENDS_ON_BEND: &str = "the program ends on a bend that no feed follows: it makes no edge, so that a plan leaves it out; the program \
@@ -149,6 +156,8 @@ impl NoteKind {
             Self::PolylineClosed => "polyline-closed",
             Self::RadiusAssumed => "radius-assumed",
             Self::RadiusUnused => "radius-unused",
+            Self::RadiiLost => "radii-lost",
+            Self::RotationMissing => "rotation-missing",
             Self::HandednessAssumed => "handedness-assumed",
             Self::LeftHanded => "left-handed",
             Self::EndsOnBend => "ends-on-bend",
@@ -185,6 +194,7 @@ impl NoteKind {
         match self {
             Self::RadiusUnused => vec![ErrorRemedy::LeaveOut { inputs: vec![InputName::CentrelineRadius] }],
             Self::RadiusAssumed => vec![ErrorRemedy::CorrectInput { input: InputName::CentrelineRadius }],
+            Self::RotationMissing => vec![ErrorRemedy::NameColumns { columns: "L, R, A and CLR".to_owned() }],
             Self::HandednessAssumed => vec![ErrorRemedy::CorrectInput { input: InputName::Handedness }],
             _ => Vec::new(),
         }
@@ -229,6 +239,8 @@ impl NoteKind {
             Self::PolylineClosed => ("the last point repeats the first: the polyline is closed", ""),
             Self::RadiusUnused => ("your bend radius was not used: the table has what it would be for", ""),
             Self::RadiusAssumed => ("no bend radius given: lengths are taken from corner to corner", ""),
+            Self::RadiiLost => ("bend has a radius", "bends have radii"),
+            Self::RotationMissing => ("no column has the rotations: all bends are taken in one plane", ""),
             Self::HandednessAssumed => (HANDEDNESS_ASSUMED, ""),
             Self::LeftHanded => ("the table is left-handed: its rotations are turned the other way", ""),
             Self::EndsOnBend => (ENDS_ON_BEND, ""),
@@ -295,11 +307,14 @@ impl NoteKind {
 
 impl Note {
     fn counted(&self) -> String {
-        match (self.kind.words(), self.count) {
+        let counted = match (self.kind.words(), self.count) {
             ((sentence, ""), _) => sentence.to_owned(),
             ((one, _), 1) => format!("1 {one}"),
             ((_, many), count) => format!("{count} {many}"),
-        }
+        };
+        let Some([least, most]) = self.sizes.map(|sizes| sizes.map(shown)) else { return counted };
+        let range = if least == most { least } else { format!("{least} to {most}") };
+        format!("{counted} of {range}, of which a wireframe keeps the corners alone")
     }
 }
 
@@ -313,6 +328,11 @@ impl fmt::Display for Note {
             (Some(first), _) => write!(f, " (the first: {first})"),
         }
     }
+}
+
+/// A length to a thousandth of a millimetre, with as many digits as that needs.
+fn shown(length: Length) -> String {
+    Mm((length.mm() * 1000.0).round() / 1000.0).to_string()
 }
 
 /// Collects notes; each kind once, in the order in which they first came up.
@@ -330,13 +350,22 @@ impl Notes {
         self.count(kind, 1, place);
     }
 
+    /// Counts one more, and keeps the least and the greatest size.
+    pub(crate) fn add_sized(&mut self, kind: NoteKind, size: Length) {
+        self.count(kind, 1, None);
+        if let Some(note) = self.0.iter_mut().find(|note| note.kind == kind) {
+            let [least, most] = note.sizes.unwrap_or([size; 2]);
+            note.sizes = Some([least.min(size), most.max(size)]);
+        }
+    }
+
     fn count(&mut self, kind: NoteKind, count: usize, first: Option<Location>) {
         if count == 0 {
             return;
         }
         match self.0.iter_mut().find(|note| note.kind == kind) {
             Some(note) => note.count += count,
-            None => self.0.push(Note { kind, count, first }),
+            None => self.0.push(Note { kind, count, first, sizes: None }),
         }
     }
 

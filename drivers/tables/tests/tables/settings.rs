@@ -70,6 +70,25 @@ fn a_key_goes_before_the_preset() {
     assert!(table("lra-csv", settings, &corner()).starts_with("Laenge,Drehung,Winkel\n45,0,90\n"));
 }
 
+/// Who counts in another way than the preset gets no name of it: under L a reader would add the tangents to lengths between corners
+/// once more, and take rotations from the start under R as those from the bend before.
+#[test]
+fn names_of_a_preset_go_with_what_it_counts() {
+    let first = |preset: &str, key: &str, value: &str| {
+        let settings = json!({"preset": preset, key: value, "decimals": 0});
+        table("lra-csv", settings, &corner()).lines().next().unwrap().to_owned()
+    };
+    assert_eq!(first("numbered", "lengths", "intersection"), "N,Lcorner_mm,R_deg,A_deg,CLR_mm");
+    assert_eq!(first("lra", "rotation", "absolute"), "L_mm,Rabs_deg,A_deg");
+    assert_eq!(first("mil-d-9898", "rotation", "relative"), "D_mm,CLR_mm,R_deg,A_deg,L_mm");
+    assert_eq!(first("mil-d-9898", "lengths", "intersection"), "Dcorner_mm,CLR_mm,Rabs_deg,A_deg,Lcorner_mm");
+    // What is set as the preset has it changes nothing, and names of one's own are as they are.
+    assert_eq!(first("numbered", "lengths", "tangent"), "N,L,R,A,CLR");
+    assert_eq!(first("mil-d-9898", "rotation", "absolute"), "C,F,E,G,Y");
+    let named = json!({"preset": "lra", "lengths": "intersection", "header_names": ["l", "r", "a"]});
+    assert!(table("lra-csv", named, &corner()).starts_with("l,r,a\n50.000,"));
+}
+
 #[test]
 fn columns_are_written_in_the_order_asked_for() {
     let all = json!({"columns": ["N", "D", "A", "R", "CLR", "L"], "decimals": 0});

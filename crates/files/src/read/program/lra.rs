@@ -177,7 +177,8 @@ impl Rows<'_> {
         if bend_deg == 0.0 || self.columns.corners {
             return Ok(Arc::default());
         }
-        let radius_mm = match (self.value(row, self.columns.radius)?, self.options.clr) {
+        let own = self.value(row, self.columns.radius)?;
+        let radius_mm = match (own, self.options.clr) {
             (Some(radius), _) => radius * self.factors.radius,
             (None, Some(radius)) => {
                 before.needed_radius = true;
@@ -194,6 +195,10 @@ impl Rows<'_> {
         if bend_deg.abs() > 179.999 && radius_mm > 0.0 {
             let file = self.source.name.to_owned();
             return Err(ReadError::NoCorner { file, place: self.table.place(row), bend_deg });
+        }
+        // Without an arc the corner is all that there is.
+        if let Some(radius) = Length::from_mm(radius_mm).ok().filter(|_| own.is_some() && radius_mm > 0.0) {
+            notes.add_sized(NoteKind::RadiiLost, radius);
         }
         Ok(Arc { radius_mm, angle_rad: bend_deg.abs().to_radians() })
     }

@@ -2,7 +2,8 @@
 //!
 //! L, R, A and CLR; Y, B and C in YBC tables. A name may say more: `Rabs` is a rotation that counts
 //! from the start of the wire, `Lcorner` a length from corner to corner, `D_mm` a distance from
-//! the start, `Dcorner` one along the corners. Reports after MIL-D-9898 have letters of their own, as
+//! the start, `Dcorner` one along the corners. `Bend` is an angle where no column says so more plainly, since it
+//! may be a number, and `Bend radius` is none. Reports after MIL-D-9898 have letters of their own, as
 //! Siemens NX documents them (`uf_route.h`): C distance, E rotation from the start, F radius, G
 //! angle, Y length.
 
@@ -10,19 +11,28 @@ use wirebend_error::ErrorRemedy;
 
 use super::super::error::{Location, ReadError};
 use super::super::note::{NoteKind, Notes};
-use super::super::text::Source;
-use super::{Column, Table};
+use super::super::text::{Source, excerpt};
+use super::{Column, Table, degrees};
 
 const LENGTH: &[&str] = &["l", "length", "feed", "straight", "y"];
 const DISTANCE: &[&str] = &["d"];
 const TWIST: &[&str] = &["r", "rotation", "rotate", "twist", "b"];
-const ANGLE: &[&str] = &["a", "angle", "bend", "c"];
+const ANGLE: &[&str] = &["a", "angle", "c"];
 const RADIUS: &[&str] = &["clr", "radius", "centerline", "centreline"];
 
 /// Words that a value counts from the start of the wire.
 const FROM_START: &[&str] = &["abs", "absolute", "cumulative"];
 /// Words that a length runs from corner to corner.
 const CORNERS: &[&str] = &["corner", "corners", "intersection", "intersections"];
+
+/// The names of YBC tables.
+const YBC: &[&str] = &["y", "b", "c"];
+/// Words that a column counts the bends.
+const NUMBER: &[&str] = &["no", "nr", "nº", "n", "num", "number", "id", "index"];
+/// Words that what is said of a bend is a length, though not that before it.
+const SOME_LENGTH: &[&str] = &["length", "distance"];
+/// Words that it is the rotation before it.
+const ROTATION: &[&str] = &["rotation", "twist"];
 
 /// What a column holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,6 +42,22 @@ enum Holds {
     Angle,
     Radius,
 }
+
+/// How plainly a name says so. Of columns that hold the same the plainest is read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Plain {
+    /// By a word for it, or a letter of LRA.
+    Fully,
+    /// By a letter of YBC, which may as well be a coordinate.
+    Letter,
+    /// By "bend" and nothing else, which may as well be its number.
+    Bend,
+    /// By "bend" and something that is not understood.
+    Perhaps,
+}
+
+/// What each column of a header holds.
+struct Held(Vec<Option<(Holds, Plain)>>);
 
 /// Where a table of bends has what.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,18 +105,37 @@ impl Columns {
             };
             return Err(source.syntax(Location::File, &found, "a header with L, R and A", remedy));
         };
+        columns.refuse_twice(header, source)?;
         let used = [Some(columns.length), columns.twist, columns.angle, columns.radius];
         notes.add(NoteKind::ColumnsIgnored, header.len() - used.iter().flatten().count());
+        notes.add(NoteKind::RotationMissing, usize::from(columns.twist.is_none()));
         Ok(columns)
+    }
+
+    /// Refuses a header in which another column holds the same as one that is read, as plainly.
+    fn refuse_twice(&self, header: &[Column], source: Source<'_>) -> Result<(), ReadError> {
+        let held = Held::of(header);
+        for column in [Some(self.length), self.twist, self.angle, self.radius].into_iter().flatten() {
+            let Some((holds, _)) = held.0[column] else { continue };
+            let Some(again) = held.plainest(holds).find(|again| *again != column) else { continue };
+            let found = header.iter().map(|column| column.text.as_str()).collect::<Vec<_>>().join(", ");
+            let expected = format!(
+                "one column with the {}, not both {} and {}",
+                holds.word(),
+                excerpt(&header[column].text),
+                excerpt(&header[again].text)
+            );
+            let remedy = ErrorRemedy::NameColumns { columns: "L, R, A and CLR".to_owned() };
+            return Err(source.syntax(Location::File, &found, expected, remedy));
+        }
+        Ok(())
     }
 
     /// By the header alone; `None` where nothing tells how long the wire is. Where a value is there twice,
     /// that one is taken which needs the fewest others to be read.
     pub(in crate::read) fn named(header: &[Column]) -> Option<Self> {
-        let is_military = is_military(header);
-        let held: Vec<_> =
-            header.iter().map(|column| if is_military { military(column) } else { holds(column) }).collect();
-        let find = |wanted: Holds| held.iter().position(|holds| *holds == Some(wanted));
+        let held = Held::of(header);
+        let find = |wanted: Holds| held.plainest(wanted).next();
         let lengths = [(false, true), (false, false), (true, true), (true, false)];
         let (length, is_distance, corners) = lengths.into_iter().find_map(|(from_start, corners)| {
             Some((find(Holds::Length { from_start, corners })?, from_start, corners))
@@ -106,6 +151,37 @@ impl Columns {
             angle: find(Holds::Angle),
             radius: find(Holds::Radius).filter(|_| !corners),
         })
+    }
+}
+
+impl Held {
+    fn of(header: &[Column]) -> Self {
+        let is_military = is_military(header);
+        let held = |column: &Column| {
+            if is_military { military(column).map(|holds| (holds, Plain::Fully)) } else { holds(column) }
+        };
+        Self(header.iter().map(held).collect())
+    }
+
+    /// The columns that hold this, as far as none says so more plainly.
+    fn plainest(&self, wanted: Holds) -> impl Iterator<Item = usize> {
+        let plain = move |held: Option<(Holds, Plain)>| {
+            held.filter(|(holds, _)| *holds == wanted).map(|(_, plain)| plain)
+        };
+        let plainest = self.0.iter().copied().filter_map(plain).min();
+        let is_it = move |held| plainest.is_some() && plain(held) == plainest;
+        self.0.iter().enumerate().filter(move |(_, held)| is_it(**held)).map(|(column, _)| column)
+    }
+}
+
+impl Holds {
+    const fn word(self) -> &'static str {
+        match self {
+            Self::Length { .. } => "length",
+            Self::Twist { .. } => "rotation",
+            Self::Angle => "angle",
+            Self::Radius => "radius",
+        }
     }
 }
 
@@ -127,12 +203,21 @@ fn military(column: &Column) -> Option<Holds> {
     })
 }
 
+fn words(column: &Column) -> impl Iterator<Item = &str> {
+    std::iter::once(&column.name).chain(&column.more).map(String::as_str)
+}
+
+fn says(column: &Column, list: &[&str]) -> bool {
+    words(column).any(|word| list.contains(&word))
+}
+
 /// What any other column holds: its first word tells what, the others and an ending how it is counted.
-fn holds(column: &Column) -> Option<Holds> {
-    let words = || std::iter::once(&column.name).chain(&column.more).map(String::as_str);
-    let says = |list: &[&str]| words().any(|word| list.contains(&word));
-    let (mut from_start, mut corners) = (says(FROM_START), says(CORNERS));
-    let mut name = words().find(|word| !FROM_START.contains(word) && !CORNERS.contains(word))?;
+fn holds(column: &Column) -> Option<(Holds, Plain)> {
+    let (mut from_start, mut corners) = (says(column, FROM_START), says(column, CORNERS));
+    let mut name = words(column).find(|word| !FROM_START.contains(word) && !CORNERS.contains(word))?;
+    if name == "bend" {
+        return of_bend(column, from_start);
+    }
     if let Some(twist) = name.strip_suffix("abs").filter(|name| TWIST.contains(name)) {
         (name, from_start) = (twist, true);
     }
@@ -150,5 +235,29 @@ fn holds(column: &Column) -> Option<Holds> {
         (ANGLE, Holds::Angle),
         (RADIUS, Holds::Radius),
     ];
-    kinds.into_iter().find(|(names, _)| names.contains(&name)).map(|(_, holds)| holds)
+    let plain = if YBC.contains(&name) { Plain::Letter } else { Plain::Fully };
+    kinds.into_iter().find(|(names, _)| names.contains(&name)).map(|(_, holds)| (holds, plain))
+}
+
+/// What a column holds whose name begins with "bend": what the other words say.
+fn of_bend(column: &Column, from_start: bool) -> Option<(Holds, Plain)> {
+    if says(column, RADIUS) {
+        return Some((Holds::Radius, Plain::Fully));
+    }
+    let is_number = says(column, NUMBER) || column.text.contains(['#', '№']);
+    if is_number || column.unit.is_some() || says(column, SOME_LENGTH) {
+        return None;
+    }
+    if says(column, ROTATION) {
+        return Some((Holds::Twist { from_start }, Plain::Fully));
+    }
+    let is_angle = says(column, ANGLE) || words(column).any(|word| degrees(word).is_some());
+    let is_bare =
+        words(column).all(|word| word == "bend" || FROM_START.contains(&word) || CORNERS.contains(&word));
+    let plain = match (is_angle, is_bare) {
+        (true, _) => Plain::Fully,
+        (false, true) => Plain::Bend,
+        (false, false) => Plain::Perhaps,
+    };
+    Some((Holds::Angle, plain))
 }
