@@ -38,6 +38,7 @@ fn published() -> Assumed {
         motion: MotionModel::default(),
         k_factor: 0.3,
         k_deviation: 0.1,
+        deducts_bends: true,
         angle_reading: deg(0.5),
         length_reading: mm(0.1),
     }

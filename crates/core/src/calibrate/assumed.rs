@@ -40,6 +40,8 @@ pub struct Assumed {
     pub k_factor: f64,
     /// How far off that may be.
     pub k_deviation: f64,
+    /// Whether feeds are commanded with the wire of bends deducted; where the machine sees to it itself, a side is what is fed.
+    pub deducts_bends: bool,
     /// What feed and head make of what they are told.
     pub motion: MotionModel,
     /// How finely bends and turns are read: their scatter as long as nothing tells it.

@@ -205,6 +205,9 @@ pub(super) fn fit(
     let Some((form, fit, solution)) = fitted.next() else { return Ok(none(screened, given)) };
     let other = fitted.next().map(|(form, fit, _)| (form.shape(), fit.leave_one_out));
     let mut gaps = side.gaps(&screened);
+    if assumed.springback.is_none() {
+        gaps.push(Gap::SpringbackLeft);
+    }
     if too_few {
         gaps.push(Gap::FewAngles { needed: CURVE_NEEDS });
     }

@@ -57,10 +57,14 @@ pub struct CouponPlan {
 }
 
 impl CouponPlan {
+    /// What the head turns before the first bend of the twist pair, the same way as then: the wire as a whole. It takes up the backlash,
+    /// which the wire before has left on the other side. No head has as much: a calibration takes 5° for far off.
+    pub const LEAD: Angle = Angle::computed(15.0_f64.to_radians());
+
     /// The coupons, each to be bent as often as repeats are wanted.
     ///
     /// An angle of the ladder is a Z: both its bends, to one side and the other, so that it stays flat. A side is a U of
-    /// two right angles. The twist pair turns the head between three right angles there and back.
+    /// two right angles. The twist pair turns the head between three right angles there and back, after [`CouponPlan::LEAD`].
     #[must_use]
     pub fn coupons(&self) -> Vec<Coupon> {
         let right = Angle::computed(std::f64::consts::FRAC_PI_2);
@@ -75,8 +79,9 @@ impl CouponPlan {
             Coupon::new(steps, vec![(1, Measured::Side)])
         };
         let twist = |turn: Angle| {
+            let lead = if turn < Angle::ZERO { -Self::LEAD } else { Self::LEAD };
             let steps = vec![
-                bend(self.edge, Angle::ZERO, right),
+                bend(self.edge, lead, right),
                 bend(self.edge, turn, right),
                 bend(self.edge, -turn, right),
                 end,

@@ -9,7 +9,7 @@ use super::fitting::{Search, hold};
 use super::least_squares::{BELIEVED, Belief};
 use super::measured::{Gap, Kind, LengthSample};
 use super::screen::{screen, side};
-use crate::compensate::FeedModel;
+use crate::compensate::{BendModel, FeedModel};
 use crate::units::{Angle, Length};
 
 /// How far off the scale of a feed may be: a drive wheel of 37.3 mm that is 0.75 mm larger or smaller.
@@ -35,13 +35,9 @@ pub(super) fn fit(
     held: &[Parameter],
 ) -> Result<Outcome<FeedFit>, CalibrationError> {
     let KnownBends { model: bends, radius, .. } = known;
-    let side_of = |sample: &LengthSample, [scale, k, radius]: [f64; 3]| {
-        let [before, after] = [sample.axis_before, sample.axis_after].map(|axis| bends.result(axis));
-        let fed = Length::computed(scale * sample.feed.mm());
-        feed_model(assumed, k, radius).segment_of(fed, before, after)
-    };
-    let as_before = [assumed.motion.feed_scale, assumed.k_factor, radius.value.mm()];
-    let expected: Vec<Length> = samples.iter().map(|sample| side_of(sample, as_before)).collect();
+    // A slip shows beside the bends as they are known by now; what was to be expected before had those of before.
+    let expected = sides_between(assumed, samples, bends, radius.value);
+    let before = sides_between(assumed, samples, &assumed.bend_model()?, assumed.bend_radius.value);
     let readings: Vec<&[Option<Length>]> = samples.iter().map(|sample| sample.readings.as_slice()).collect();
     let mut screened = screen(
         Kind::Feeds,
@@ -56,17 +52,13 @@ pub(super) fn fit(
         return Ok(Outcome { fit: None, left_out: screened.left_out, gaps });
     }
     let used: Vec<&LengthSample> = screened.samples.iter().map(|&k| &samples[k]).collect();
-    let made: Vec<[Angle; 2]> = used
-        .iter()
-        .map(|sample| [sample.axis_before, sample.axis_after].map(|axis| bends.result(axis)))
-        .collect();
-    let expected: Vec<f64> = screened.samples.iter().map(|&k| expected[k].mm()).collect();
+    let made: Vec<[Angle; 2]> = used.iter().map(|sample| bends_beside(bends, sample)).collect();
+    let before: Vec<f64> = screened.samples.iter().map(|&k| before[k].mm()).collect();
     let predict = |parameters: &[f64]| {
         let &[scale, k, radius, off_deg] = parameters else { return Vec::new() };
-        let model = feed_model(assumed, k, radius);
         let side = |(sample, made): (&&LengthSample, &[Angle; 2])| {
             let made = made.map(|bend| bend + Angle::computed(bend.signum() * off_deg.to_radians()));
-            model.segment_of(Length::computed(scale * sample.feed.mm()), made[0], made[1]).mm()
+            side_of(assumed, Length::computed(scale * sample.feed.mm()), made, [k, radius]).mm()
         };
         used.iter().zip(&made).map(side).collect()
     };
@@ -85,11 +77,12 @@ pub(super) fn fit(
     let no_solution = |_| CalibrationError::NoSolution { kind: Kind::Feeds };
     search.take_out_wild(Kind::Feeds, &mut screened).map_err(no_solution)?;
     let commanded = |k: usize| Figure::Length(used[k].feed);
-    let (mut fit, solution) =
-        search.fit(Kind::Feeds, &screened, &commanded, &expected).map_err(no_solution)?;
+    let (mut fit, solution) = search.fit(Kind::Feeds, &screened, &commanded, &before).map_err(no_solution)?;
     let mut gaps = Vec::new();
     let feed = |datum: &super::least_squares::Datum| used[datum.sample].feed;
-    if let Some(first) = screened.data.first().map(feed)
+    if !assumed.deducts_bends {
+        gaps.push(Gap::DeductionLeft);
+    } else if let Some(first) = screened.data.first().map(feed)
         && screened.data.iter().all(|datum| (feed(datum) - first).abs().mm() < 0.05)
     {
         gaps.push(Gap::OneLength { feed: first });
@@ -123,6 +116,34 @@ pub(super) fn fit(
         FeedFit { fit, scale, k_factor, model: feed_model(assumed, k_factor, before) }
     });
     Ok(Outcome { fit, left_out: screened.left_out, gaps })
+}
+
+/// The sides that samples leave between the bends of a model, with K and the feed's scale as they were assumed.
+fn sides_between(
+    assumed: &Assumed,
+    samples: &[LengthSample],
+    bends: &BendModel,
+    radius: Length,
+) -> Vec<Length> {
+    let side = |sample: &LengthSample| {
+        let fed = assumed.motion.fed(sample.feed);
+        side_of(assumed, fed, bends_beside(bends, sample), [assumed.k_factor, radius.mm()])
+    };
+    samples.iter().map(side).collect()
+}
+
+/// The bends before and behind a side.
+fn bends_beside(bends: &BendModel, sample: &LengthSample) -> [Angle; 2] {
+    [sample.axis_before, sample.axis_after].map(|axis| bends.result(axis))
+}
+
+/// The side that fed wire makes between two bends, by K and the radius of a bend.
+fn side_of(assumed: &Assumed, fed: Length, bends: [Angle; 2], [k_factor, radius]: [f64; 2]) -> Length {
+    if assumed.deducts_bends {
+        feed_model(assumed, k_factor, radius).segment_of(fed, bends[0], bends[1])
+    } else {
+        fed
+    }
 }
 
 fn feed_model(assumed: &Assumed, k_factor: f64, bend_radius: f64) -> FeedModel {

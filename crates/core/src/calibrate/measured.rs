@@ -148,6 +148,10 @@ pub enum Gap {
         /// The feed.
         feed: Length,
     },
+    /// The machine compensates springback itself: what was found of it is in no profile.
+    SpringbackLeft,
+    /// The machine deducts bends from feeds itself: a side is what is fed, and tells nothing of the wire in a bend.
+    DeductionLeft,
     /// No turn goes against the one before: the play of the head is not determined.
     NoReversal,
 }

@@ -10,6 +10,7 @@ mod real;
 mod recovery;
 mod settled;
 mod typing;
+mod uncompensated;
 
 /// The published machine and wire, as far as dimensions can be off by: 15 %, and K by 0.1.
 fn published() -> Assumed {
@@ -27,6 +28,7 @@ fn published() -> Assumed {
         motion: MotionModel::default(),
         k_factor: 0.3,
         k_deviation: 0.1,
+        deducts_bends: true,
         angle_reading: deg(0.5),
         length_reading: mm(0.1),
     }

@@ -71,6 +71,7 @@ impl Setup {
                 Some(Sourced { measured: true, within_95: None, .. }) => K_MEASURED,
                 _ => K_UNMEASURED,
             }),
+            deducts_bends: self.model.compensation.feed.is_some(),
             angle_reading: deg(PROTRACTOR_DEG)?,
             length_reading: mm(READ_MM)?,
         })

@@ -212,11 +212,14 @@ fn coupon_plan(setup: &Setup, asked_deg: &[f64]) -> Result<CouponPlan, PlanningE
     };
     let side = round(shortest)?;
     let right = deg(90.0)?;
-    let turns = setup.model.head.max >= deg(TURN_DEG)?;
+    let turn = deg(TURN_DEG)?;
+    let room = setup.model.head.max;
+    // Of a head that turns no farther, what comes before the first bend is taken off the turn.
+    let turn = if room < turn + CouponPlan::LEAD { turn - CouponPlan::LEAD } else { turn };
     Ok(CouponPlan {
         angles,
         sides: if can(right) { vec![side, round(LONG_SIDE * side.mm())?] } else { Vec::new() },
-        turn: (turns && can(right)).then(|| deg(TURN_DEG)).transpose()?,
+        turn: (room >= turn + CouponPlan::LEAD && can(right)).then_some(turn),
         edge: round(shortest.max(reach + MULTIPLE_MM))?,
     })
 }

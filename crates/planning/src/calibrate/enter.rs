@@ -284,6 +284,9 @@ mod tests {
         let turns = [row(SheetQuantity::Turn, 90.0), row(SheetQuantity::TurnBack, -90.0)];
         let twist = [[40.0, 0.0, 110.4], [40.0, 90.0, 110.4], [40.0, -90.0, 110.4], end];
         assert!(is_it(&turns, &twist));
+        let mut after_lead = twist;
+        after_lead[0][1] = 15.0;
+        assert!(is_it(&turns, &after_lead), "the head turns the wire as a whole first");
         let longer = [&twist[..3], &[[40.0, 180.0, 110.4], end]].concat();
         assert!(!is_it(&turns, &longer), "a wire of four bends");
         let mut other = twist;

@@ -99,7 +99,9 @@ impl Values<'_> {
         {
             values.push(("k_factor", self.figure(feeds.k_factor, k, feeds.fit.readings)));
         }
-        let Some(bends) = self.fitted.found.bends.as_ref() else { return values };
+        // Where the machine compensates springback itself, what is left of it is nothing that a wire has.
+        let compensated = self.fitted.setup.model.compensation.bend.springback.is_some();
+        let Some(bends) = self.fitted.found.bends.as_ref().filter(|_| compensated) else { return values };
         let moved = estimate(&bends.fit, Parameter::SpringbackShift);
         if moved.is_some_and(Estimate::is_left) {
             return values;
@@ -135,4 +137,63 @@ fn pairs(points: &[SpringbackPoint]) -> Value {
     let round = |value: f64| (value * 1e3).round() / 1e3;
     let pair = |point: &SpringbackPoint| json!({ "angle_deg": round(point.formed.deg()), "loss_deg": round(point.loss.deg()) });
     points.iter().map(pair).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use wirebend_core::calibrate::{Gap, ShapeChoice, settled};
+    use wirebend_files::read::{MeasuringSheet, SheetQuantity, SheetRow};
+
+    use super::super::measured::OfSheet;
+    use super::super::report::CalibrationReport;
+    use super::*;
+    use crate::Installation;
+
+    fn row(quantity: SheetQuantity, commanded: f64, read: f64) -> SheetRow {
+        SheetRow {
+            line: 0,
+            coupon: format!("{commanded}"),
+            quantity,
+            wanted: commanded,
+            commanded,
+            axes_deg: (quantity == SheetQuantity::Side).then_some([90.0, 90.0]),
+            readings: vec![Some(read), Some(read)],
+        }
+    }
+
+    fn fitted(machine: &str, rows: Vec<SheetRow>) -> Fitted {
+        let setup = Installation::new(&[]).unwrap().setup(machine, None).unwrap();
+        let sheet = MeasuringSheet {
+            machine: setup.machine_id().to_owned(),
+            material: setup.material_id().to_owned(),
+            rows,
+            bent: Vec::new(),
+            comments: Vec::new(),
+            columns: Vec::new(),
+        };
+        let of_sheet = OfSheet::new(&sheet, &setup).unwrap();
+        let found = settled(&setup.assumed().unwrap(), &of_sheet.measured, ShapeChoice::Better).unwrap();
+        let report = CalibrationReport::new(setup.machine_id(), setup.material_id(), &found, &of_sheet);
+        Fitted { setup, found, report }
+    }
+
+    /// Its commands are the design itself: sides over the outside of 0.9 mm wire are right, and a wire with another K and springback would
+    /// have the next design bent wrong.
+    #[test]
+    fn a_machine_that_compensates_nothing_keeps_k_and_springback() {
+        let bends = [60.0, -60.0, 90.0, -90.0]
+            .map(|angle: f64| row(SheetQuantity::Bend, angle, angle - 2.0 * angle.signum()));
+        let sides = [15.0, 60.0].map(|side| row(SheetQuantity::Side, side, side + 0.9));
+        let fitted = fitted("pensa-diwire-pro", [&bends[..], &sides].concat());
+        let found = Values { fitted: &fitted, date: "2026-11-25" };
+        let material = found.of_material();
+        assert!(material.is_empty(), "{material:?}");
+        let machine = found.of_machine();
+        let keys: Vec<&str> = machine.iter().map(|(key, _)| *key).collect();
+        assert_eq!(keys, ["feed.scale"]);
+        let scale = machine[0].1["value"].as_f64().unwrap();
+        assert!((scale - 1.0).abs() < 1e-4, "{scale}");
+        let gaps = &fitted.found.gaps;
+        assert!(gaps.contains(&Gap::SpringbackLeft) && gaps.contains(&Gap::DeductionLeft), "{gaps:?}");
+    }
 }

@@ -111,6 +111,13 @@ pub fn gap(gap: &Gap) -> String {
         Gap::FewAngles { needed } => format!(
             "a curve of the springback needs {needed} different angles of each side that was bent: none is made of fewer"
         ),
+        Gap::SpringbackLeft => {
+            "the profile leaves springback to the machine: what was found of it is written to no profile".to_owned()
+        }
+        Gap::DeductionLeft => {
+            "the profile leaves the wire in bends to the machine: a side is what is fed, and the K-factor stays as it is"
+                .to_owned()
+        }
         Gap::NoReversal => {
             "no turn goes back: the offset of turns is fitted, and the backlash of the head is not determined"
                 .to_owned()

@@ -107,6 +107,58 @@ fn the_play_of_the_head_shows_in_turns_that_reverse() {
     assert!((turns.offset_deg - 0.4).abs() < 0.02 && (turns.backlash_deg - 1.5).abs() < 0.02, "{turns:?}");
 }
 
+/// Coupons are bent one after the other, and each ends with a turn back: the next would begin with one, and its turns would be short on
+/// both sides, which is an offset of -2 and twice the backlash.
+#[test]
+fn a_twist_pair_that_is_bent_again_finds_the_same_backlash() {
+    for turn in [90.0, -90.0] {
+        let plan =
+            CouponPlan { angles: Vec::new(), sides: Vec::new(), turn: Some(deg(turn)), edge: mm(60.0) };
+        let coupon = plan.coupons().remove(0);
+        let steps = &coupon.program.steps;
+        let head = MotionModel { rotate_backlash: deg(2.0), ..MotionModel::default() };
+        let made = head.result(&steps.repeat(4)).into_owned();
+        let sample = |&(step, what): &(usize, Measured)| {
+            // The first wire is left out: nobody knows how the head stood before it.
+            let readings = (1..4).map(|wire| Some(made[wire * steps.len() + step].rotate)).collect();
+            let reverses = matches!(what, Measured::Turn { reverses: true });
+            TurnSample { rotate: steps[step].rotate, reverses, readings }
+        };
+        let turns = coupon.measured.iter().map(sample).collect();
+        let measured = Measurements { turns, ..Measurements::default() };
+        let turns = calibrate(&published(), &measured, ShapeChoice::Better).unwrap().turns.unwrap();
+        assert!(
+            turns.offset_deg.abs() < 0.05 && (turns.backlash_deg - 2.0).abs() < 0.05,
+            "{turn}: {turns:?}"
+        );
+    }
+}
+
+/// A wire that takes back 10 degrees more than was known: right angles come out as 80, and a side of 35 is
+/// 32.770 - 2.4 * 1.396 + 2 * 3 * tan 40 = 34.454 mm. The figures of before said 35, whatever the bends of the same sheet tell.
+#[test]
+fn what_sides_were_off_by_before_is_by_the_bends_of_before() {
+    let [expected, truth] = [10.23, 20.23].map(|loss| machine([20.4, 12.0, 3.0, 4.675], loss));
+    let model = FeedModel::new(mm(1.5), mm(3.0), 0.3);
+    let mut random = Normals::new(11);
+    let angles = ladder(&truth, &[40.0, 60.0, 80.0, 100.0, 120.0], 2, 0.0, &mut random);
+    let before = |angles: &[AngleSample], lengths: &[LengthSample]| {
+        let measured = Measurements { angles: angles.to_vec(), lengths: lengths.to_vec(), turns: Vec::new() };
+        let found = calibrate(&published(), &measured, ShapeChoice::Better).unwrap();
+        assert!(found.left_out.is_empty(), "{:?}", found.left_out);
+        found.feeds.unwrap().fit.before.mean_abs
+    };
+    let right = sides(&expected, &model, 1.0, 0.0, &mut random);
+    let short = sides(&truth, &model, 1.0, 0.0, &mut random);
+    assert!((short[0].readings[0].unwrap().mm() - 34.454).abs() < 1e-3, "{:?}", short[0]);
+    for angles in [Vec::new(), angles] {
+        let rows = angles.len();
+        let (as_expected, off) = (before(&angles, &right), before(&angles, &short));
+        assert!(as_expected < 1e-6, "{as_expected} with {rows} rows of bends");
+        assert!((off - 0.546).abs() < 2e-3, "{off} with {rows} rows of bends");
+    }
+}
+
 /// A wire that was measured well, and then is bent hard once: three angles tell no curve, and a constant would forget the one that is known.
 #[test]
 fn a_known_curve_is_kept_where_the_readings_tell_no_other() {
