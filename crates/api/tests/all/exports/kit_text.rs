@@ -26,8 +26,8 @@ fn every_case_is_the_wire_of_its_text() {
                 DIGIT,
                 [Rounding::Sum, Rounding::Sum, Rounding::Each],
             );
-            // A digit of a feed and a turn, between whose sums it is, and half of one of a bend.
-            let off = vec![Off { feed_mm: DIGIT, angles_deg: 1.5 * DIGIT }; steps.len()];
+            // Half a digit of each of the three numbers.
+            let off = vec![Off { feed_mm: DIGIT / 2.0, angles_deg: DIGIT }; steps.len()];
             assert_same_wire(case, &path(&steps), &path(&wire.compensated), &off);
         }
     });
