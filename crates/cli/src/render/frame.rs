@@ -62,29 +62,23 @@ fn carried(out: &mut impl Write, found: &StaticReport) -> std::io::Result<()> {
     let most_displaced = number::or_less(found.max_displacement_mm, 4);
     row(out, "displacement", &format!("{most_displaced} mm at vertex {}", found.at_vertex))?;
     let most = |of: fn(&MemberReport) -> Option<f64>| {
-        let known = found.members.iter().filter_map(|member| Some((member.edge, of(member)?)));
+        let known = found.members.iter().filter_map(|member| Some((member, of(member)?)));
         known.max_by(|a, b| a.1.total_cmp(&b.1))
     };
-    let used = |edge: u32| {
-        let share = found.members.iter().find(|member| member.edge == edge)?.utilisation?;
-        Some(format!("{:.1} % of what yields", 100.0 * share))
-    };
-    if let Some((edge, stress)) = most(|member| member.von_mises_mpa) {
-        let share = used(edge).map(|share| format!(", {share}")).unwrap_or_default();
-        row(out, "stress", &format!("{stress:.3} MPa in edge {edge}{share}"))?;
+    let used = |share: f64| format!("{:.1} % of what yields", 100.0 * share);
+    if let Some((member, stress)) = most(|member| member.von_mises_mpa) {
+        let share = member.utilisation.map(|share| format!(", {}", used(share))).unwrap_or_default();
+        row(out, "stress", &format!("{stress:.3} MPa in edge {}{share}", member.edge))?;
         // Of several materials another may be nearer to what it bears.
-        let nearest = most(|member| member.utilisation).filter(|&(nearest, _)| nearest != edge);
-        let nearest = nearest.filter(|(_, share)| {
-            let of_edge = found.members.iter().find(|member| member.edge == edge);
-            of_edge.and_then(|member| member.utilisation).is_none_or(|of_edge| *share > of_edge)
-        });
-        if let Some((nearest, share)) = nearest.and_then(|(edge, _)| Some((edge, used(edge)?))) {
-            row(out, "nearest to yield", &format!("edge {nearest}, {share}"))?;
+        let nearest = most(|member| member.utilisation);
+        if let Some((nearest, share)) = nearest.filter(|(_, share)| Some(*share) > member.utilisation) {
+            row(out, "nearest to yield", &format!("edge {}, {}", nearest.edge, used(share)))?;
         }
     }
     match most(|member| Some(member.buckling_ratio)).filter(|&(_, ratio)| ratio > 0.0) {
-        Some((edge, ratio)) => {
-            row(out, "buckling", &format!("edge {edge} carries {:.1} % of its Euler load", 100.0 * ratio))
+        Some((member, ratio)) => {
+            let percent = 100.0 * ratio;
+            row(out, "buckling", &format!("edge {} carries {percent:.1} % of its Euler load", member.edge))
         }
         None => Ok(()),
     }
@@ -167,18 +161,10 @@ fn takes(out: &mut impl Write, found: &ResourcesReport) -> std::io::Result<()> {
 pub(super) fn tolerance(out: &mut impl Write, found: &ToleranceResponse) -> std::io::Result<()> {
     notes(out, &found.notes)?;
     if let Some(sigma) = found.feed_sigma_mm {
-        row(
-            out,
-            "feeds",
-            &format!("within {} mm (standard deviation)", number::at_least_three_digits(sigma, 5)),
-        )?;
+        row(out, "feeds", &format!("within {} mm (standard deviation)", number::figures(sigma, 5)))?;
     }
     if let Some(sigma) = found.angle_sigma_deg {
-        row(
-            out,
-            "bends, rotations",
-            &format!("within {}° (standard deviation)", number::at_least_three_digits(sigma, 4)),
-        )?;
+        row(out, "bends, rotations", &format!("within {}° (standard deviation)", number::figures(sigma, 4)))?;
     }
     let governs = match found.governed_by {
         RequirementName::Surface => "the surface",

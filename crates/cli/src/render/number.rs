@@ -7,18 +7,18 @@ pub(crate) fn mm(value: f64) -> String {
     thousands(&fixed(value, 1))
 }
 
-/// So many decimals, and more where there would be fewer than three digits that say something.
-pub(crate) fn at_least_three_digits(value: f64, decimals: usize) -> String {
-    let says_too_little =
-        |&decimals: &usize| value > 0.0 && value * 10.0_f64.powi(decimals.try_into().unwrap_or(0)) < 99.95;
-    let decimals = decimals + (decimals..15).take_while(says_too_little).count();
+/// So many decimals, and as many more as three significant figures need.
+pub(crate) fn figures(value: f64, decimals: usize) -> String {
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number from 0 to 15
+    let needed = (2.0 - value.abs().log10().floor()).clamp(0.0, 15.0) as usize;
+    let decimals = if value == 0.0 { decimals } else { decimals.max(needed) };
     format!("{value:.decimals$}")
 }
 
 /// So many decimals; what they cannot show is told to be less.
 pub(crate) fn or_less(value: f64, decimals: usize) -> String {
-    let least = 10.0_f64.powi(-i32::try_from(decimals).unwrap_or(0));
-    if value > 0.0 && value < least { format!("< {least}") } else { format!("{value:.decimals$}") }
+    let least = 0.1_f64.powi(i32::try_from(decimals).unwrap_or(0));
+    if value > 0.0 && value < least { format!("< {least:.decimals$}") } else { format!("{value:.decimals$}") }
 }
 
 /// A duration as hours, minutes and seconds, from the largest that is needed.
@@ -52,7 +52,7 @@ mod tests {
 
     #[test]
     fn what_is_small_is_not_shown_as_nothing() {
-        let shown = [0.0, 4.2e-6, 1.43e-5, 0.003_5, 2.5].map(|sigma| at_least_three_digits(sigma, 5));
+        let shown = [0.0, 4.2e-6, 1.43e-5, 0.003_5, 2.5].map(|sigma| figures(sigma, 5));
         assert_eq!(shown, ["0.00000", "0.00000420", "0.0000143", "0.00350", "2.50000"]);
         let shown = [0.0, 1e-5, 0.000_14, 0.427_187].map(|moved| or_less(moved, 4));
         assert_eq!(shown, ["0.0000", "< 0.0001", "0.0001", "0.4272"]);

@@ -204,6 +204,18 @@ fn half_of_what_is_required_takes_half_the_errors() {
     near(&(of(&both) / of(&one)).into(), 0.5_f64.sqrt(), 1e-9);
 }
 
+/// Half of an edge is no small deviation, and what grows in proportion up to there is not known.
+#[test]
+fn a_tolerance_of_much_of_a_strut_is_no_figure_to_build_by() {
+    let cube = example("cube-8-edges.obj");
+    let asked = ["tolerance", &cube, "--units", "mm", "--machine", "wirebend-kit", "--json", "--require"];
+    let has_note = |require: &str| {
+        let found = run(&[&asked[..], &[require]].concat()).ended(0).json();
+        found["notes"].as_array().unwrap().iter().any(|note| note["code"] == "beyond-proportion")
+    };
+    assert!(has_note("stress=2000MPa") && !has_note("stress=10MPa"));
+}
+
 /// A wire that closes no loop is pulled nowhere: no feed is too long for its forces. What was left by rounding set limits of 10^12 mm.
 #[test]
 fn what_pulls_at_nothing_has_no_tolerance() {

@@ -251,3 +251,40 @@ fn what_a_model_cannot_carry_is_named() {
     assert!(refused(&["--conmech", "house.json"]).contains("house-loads.json"));
     assert!(!folder.path().join("house.json").exists());
 }
+
+/// The strut that bears the most is not the one that is nearest to what it can bear, where they are of different materials.
+#[test]
+fn each_stress_has_the_share_of_its_own_strut() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(data("conmech/four-frame.json")).unwrap();
+    let mut file: Value = serde_json::from_str(&text).unwrap();
+    // A pillar of steel that yields at 10 times the stress of the PLA of the others.
+    file["elements"][0]["elem_tag"] = "steel".into();
+    file["materials"][0]["elem_tags"] = serde_json::json!(["", "pla"]);
+    file["materials"][1]["elem_tags"] = serde_json::json!(["steel"]);
+    file["materials"][1]["fy"] = 2_350_000.0.into();
+    std::fs::write(folder.path().join("mixed.json"), file.to_string()).unwrap();
+    let members = |more: &[&str]| {
+        let asked = ["frame", "mixed.json", "--gravity", "0,1,-1"];
+        run_in(folder.path(), &[&asked[..], more].concat(), b"").ended(0)
+    };
+    let found = members(&["--json"]).json();
+    let figures: Vec<[f64; 2]> = found["static"]["members"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|member| ["von_mises_mpa", "utilisation"].map(|key| member[key].as_f64().unwrap()))
+        .collect();
+    let most =
+        |of: usize| (0..figures.len()).max_by(|a, b| figures[*a][of].total_cmp(&figures[*b][of])).unwrap();
+    let [stressed, used] = [most(0), most(1)];
+    assert_ne!(stressed, used, "{figures:?}");
+    let shown = members(&[]).err;
+    let share = |edge: usize| format!("{:.1} % of what yields", 100.0 * figures[edge][1]);
+    for expected in [
+        format!("{:.3} MPa in edge {stressed}, {}", figures[stressed][0], share(stressed)),
+        format!("nearest to yield   edge {used}, {}", share(used)),
+    ] {
+        assert!(shown.contains(&expected), "{expected}: {shown}");
+    }
+}
