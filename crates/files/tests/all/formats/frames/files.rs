@@ -130,22 +130,6 @@ fn what_is_wrong_in_a_json_file_is_found_by_its_entry() {
     assert!(text.contains("a.json, line 2: found trailing characters"), "{text}");
 }
 
-/// `g` gives a strut a layer, `c` marks it as ceiling, `p` stands on a foot; each adds a strut that is not there.
-#[test]
-fn a_pwf_has_layers_and_a_ceiling() {
-    let text = "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 0 -9\nl 1 2 3\np 1 4\nc 2 1\ng 3 2 4\ng 1 3 5\n";
-    let imported = import("a.pwf", text).unwrap();
-    let frame = imported.frame.unwrap();
-    let layers: Vec<Option<i64>> = frame.members.values().map(|member| member.layer).collect();
-    assert_eq!(layers, [None, Some(4), None, Some(5)]);
-    let ceiling: Vec<bool> = imported.wireframe.edges().map(|(_, edge)| edge.ceiling).collect();
-    assert_eq!(ceiling, [true, false, false, false]);
-    assert_eq!(frame.supports.keys().collect::<Vec<_>>(), [&VertexId(3)]);
-    assert_eq!(frame.nodes[&4], VertexId(3), "numbers count from 1");
-    let plain = import("a.pwf", "v 0 0 0\nv 0 0 9\nl 1 2\n").unwrap().frame.unwrap();
-    assert_eq!(plain.nodes[&2], VertexId(1), "without layers, too");
-}
-
 #[test]
 fn a_conmech_frame_is_in_metres_and_kilonewtons() {
     let (imported, frame) = frame("conmech/uniform_load_analytical_model.json");

@@ -2,4 +2,5 @@
 
 mod files;
 mod left_out;
+mod pwf;
 mod results;
