@@ -27,8 +27,8 @@ use shared::{parse_pause, parse_setting, stage_parser};
 
 const AFTER: &str = "\
 Exit status: 0 done · 2 usage error · 3 bad input · 4 not feasible on this machine (the report is \
-still printed) · 5 machine or driver failure · 6 it is not known whether the machine stands: cut its \
-power · 130 stopped by the person.
+still printed) · 5 machine or driver failure, or a file that cannot be written · 6 it is not known \
+whether the machine stands: cut its power · 130 stopped by the person.
 Messages go to the error stream, results to the standard output; - stands for standard input or output.";
 
 /// From a wireframe to a bent wire: check, plan, compensate, export, simulate.

@@ -136,7 +136,10 @@ pub fn jog(
             });
         } else {
             let file = MovesFile::new(&machine, response.made.clone())?;
-            response.output = Some(output.save(&file.to_bytes()?)?);
+            match output.save_or_note(&file.to_bytes()?) {
+                Ok(path) => response.output = Some(path),
+                Err(note) => response.notes.push(note),
+            }
         }
     }
     Ok(response)

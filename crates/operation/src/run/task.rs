@@ -284,7 +284,10 @@ impl<'a> Task<'a> {
         }
         let piece = self.pieces.get().piece().map_or(1, |piece| piece.number);
         if let Some(output) = self.record_output(wire, piece) {
-            response.files.push(output.save(&record_bytes(record)?)?);
+            match output.save_or_note(&record_bytes(record)?) {
+                Ok(file) => response.files.push(file),
+                Err(note) => response.notes.push(note),
+            }
         }
         Ok(())
     }

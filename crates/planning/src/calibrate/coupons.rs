@@ -118,7 +118,7 @@ pub fn new(
     let outputs: Vec<Output> = written.iter().map(|(name, _)| output(&format!("{name}.wbjob"))).collect();
     let sheet_output = output("sheet.csv");
     let printed_output = output("sheet.pdf");
-    outputs.iter().chain([&sheet_output, &printed_output]).try_for_each(Output::check)?;
+    outputs.iter().chain([&sheet_output, &printed_output]).try_for_each(Output::check_overwrites)?;
     std::fs::create_dir_all(&request.folder).map_err(|error| {
         PlanningError::Document(DocumentError::Save { path: request.folder.display().to_string(), error })
     })?;

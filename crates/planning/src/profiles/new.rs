@@ -72,7 +72,9 @@ pub fn new(
     };
     app.check_free(kind, id, path.as_deref())?;
     let output = path.map(|path| Output { path, force: request.force });
-    output.as_ref().map_or(Ok(()), Output::check)?;
+    let is_own = matches!(request.place, ProfilePlace::Folder(_));
+    let check = if is_own { Output::check_overwrites } else { Output::check };
+    output.as_ref().map_or(Ok(()), check)?;
 
     let schema = output.as_ref().and_then(|output| schema_beside(&output.path, kind));
     let name = request.name.as_deref().unwrap_or(id);
@@ -83,7 +85,7 @@ pub fn new(
     let checked = app.library.check(&file, &text).map_err(|errors| app.refusal(kind, inherits, errors))?;
     app.asked_of_drivers(&checked, &file, &text)?;
 
-    if let (ProfilePlace::Folder(_), Some(output)) = (&request.place, &output) {
+    if let Some(output) = output.as_ref().filter(|_| is_own) {
         make_folder(&output.path)?;
     }
     let written = output.map(|output| output.save(text.as_bytes())).transpose()?;

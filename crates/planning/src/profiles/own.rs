@@ -33,7 +33,7 @@ impl OwnProfile {
         check_id(id)?;
         let file = folder.join(kind.folder()).join(format!("{id}.json"));
         app.check_free(kind, id, Some(&file))?;
-        Output { path: file.clone(), force }.check()?;
+        Output { path: file.clone(), force }.check_overwrites()?;
         let beside = schema_beside(&file, kind);
         let child = Child { kind, id, inherits, name: id, schema: beside.as_deref(), all: false };
         let text = app.library.child_text(&child)?;
@@ -66,7 +66,7 @@ impl OwnProfile {
         check_id(id)?;
         let file = folder.join(kind.folder()).join(format!("{id}.json"));
         app.check_free(kind, id, None)?;
-        Output { path: file.clone(), force: false }.check()?;
+        Output { path: file.clone(), force: false }.check_overwrites()?;
         // Where its schema lay is no place here.
         values.remove("$schema");
         Ok(Self { kind, file, values, force: false })

@@ -89,6 +89,29 @@ impl Shop {
     }
 }
 
+/// What a machine has done is told whatever becomes of the file for it; and where there is no folder for that, nothing is moved at all.
+#[test]
+fn a_record_that_cannot_be_written_hides_nothing() {
+    let shop = Shop::cube();
+    shop.make(&["--yes", "--record", "nowhere/made.json"]).ended(5);
+    let refused =
+        shop.run(&["jog", "-m", "wirebend-kit", "--port", "sim:max", "--yes", "--record", ".", "f", "10"]);
+    assert!(refused.ended(5).err.contains("it is a folder"));
+    assert_eq!(shop.list(), Vec::<Value>::new(), "nothing was begun");
+    // No system has such names.
+    let long = format!("{}.json", "a".repeat(300));
+    let made = shop.make(&["--yes", "--json", "--record", &long]).ended(0).json();
+    assert_eq!(made["wires"][0]["outcome"], "made");
+    let jog =
+        ["jog", "-m", "wirebend-kit", "--port", "sim:max", "--yes", "--json", "--record", &long, "f", "10"];
+    let moved = shop.run(&jog).ended(0).json();
+    assert_eq!(moved["made"].as_array().map(Vec::len), Some(1));
+    for found in [made, moved] {
+        let notes = found["notes"].as_array().unwrap();
+        assert!(notes.iter().any(|note| note["code"] == "not-saved"), "{found}");
+    }
+}
+
 #[test]
 fn a_job_is_made_and_recorded() {
     let shop = Shop::cube();
