@@ -207,7 +207,16 @@ impl Rows<'_> {
     fn length_mm(&self, row: usize, before: &mut Before) -> Result<f64, ReadError> {
         let given = self.value(row, Some(self.columns.length))?.map(|value| value * self.factors.length);
         if !self.columns.is_distance {
-            let length_mm = given.unwrap_or(0.0);
+            let bends = self.value(row, self.columns.angle)?.is_some_and(|angle| angle != 0.0);
+            let Some(length_mm) = given.or_else(|| (!bends).then_some(0.0)) else {
+                let found = self.table.rows[row].1.join(" ");
+                return Err(self.source.syntax(
+                    self.table.place(row),
+                    &found,
+                    "a length before the bend",
+                    CORRECT,
+                ));
+            };
             if length_mm < 0.0 {
                 return Err(self.refuse(row, length_mm, "a length of 0 or more", CORRECT));
             }

@@ -114,3 +114,17 @@ fn radii_that_a_wireframe_does_not_keep_are_said() {
     let told = read(b"L,R,A\n40,0,90\n20\n", "wire.csv", None, &options).unwrap();
     assert!(told.notes.iter().all(|note| note.kind != NoteKind::RadiiLost));
 }
+
+/// Without it the bends would stand on each other, and another part would come out.
+#[test]
+fn a_bend_needs_a_length_before_it() {
+    for table in ["L,R,A,CLR\n10,0,90,3\n,0,45,3\n20,,,\n", "L,R,A\n10,0,90\n-,0,45\n20\n"] {
+        let refused = import("wire.csv", table).unwrap_err().to_string();
+        assert!(
+            refused.contains("wire.csv, line 3") && refused.contains("a length before the bend"),
+            "{refused}"
+        );
+    }
+    let imported = import("wire.csv", "L,R,A\n10,0,90\n20,0,45\n20,,\n").unwrap();
+    assert_eq!(bends_of(&imported), [90.0, 45.0, 0.0]);
+}
