@@ -1,7 +1,7 @@
 //! The design of a program that is what a machine was told.
 
 use wirebend_core::bend::{Frame, Step, replay};
-use wirebend_core::compensate::CompensatedProgram;
+use wirebend_core::compensate::{BendModel, CompensatedProgram};
 use wirebend_core::route::Route;
 use wirebend_core::simulate::formed_steps;
 use wirebend_core::units::{Angle, Length};
@@ -10,7 +10,7 @@ use wirebend_files::read::wireframe_of_path;
 
 use crate::choices::PlanChoices;
 use crate::design::Opened;
-use crate::error::PlanningError;
+use crate::error::{PlanningError, ToldCommand};
 use crate::installation::Installation;
 use crate::machine::Setup;
 use crate::program::{Known, ReadProgram};
@@ -70,20 +70,17 @@ impl Opened {
             return Ok(self);
         };
         let told: Vec<Step> = program.commanded(setup.signs)?;
-        let steps = left(&told, setup).map_err(|step| PlanningError::OtherCompensation {
+        let of_another = |NoDesign { step, command }| PlanningError::OtherCompensation {
             name: self.name.clone(),
             step: step + 1,
+            command,
             machine: setup.machine_id().to_owned(),
             material: setup.material_id().to_owned(),
-        })?;
+        };
+        let steps = left(&told, setup).map_err(of_another)?;
         let path = replay(Frame::default(), &steps);
-        let (wireframe, order) =
-            wireframe_of_path(&path, program.weld).map_err(|_| PlanningError::OtherCompensation {
-                name: self.name.clone(),
-                step: 1,
-                machine: setup.machine_id().to_owned(),
-                material: setup.material_id().to_owned(),
-            })?;
+        let (wireframe, order) = wireframe_of_path(&path, program.weld)
+            .map_err(|_| of_another(NoDesign { step: 0, command: ToldCommand::Feed }))?;
         self.document.wireframe = wireframe;
         self.notes.push(NoteReport {
             code: "program-turned-back".into(),
@@ -123,14 +120,30 @@ impl Opened {
     }
 }
 
-/// The steps from corner to corner that commands in canonical signs leave: the inverse of compensating. The step that cannot be
-/// where a feed is too short for its bends.
-fn left(told: &[Step], setup: &Setup) -> Result<Vec<Step>, usize> {
+/// A command that no design leads to.
+struct NoDesign {
+    /// From 0.
+    step: usize,
+    command: ToldCommand,
+}
+
+/// The steps from corner to corner that commands in canonical signs leave: the inverse of compensating. Refused is a feed that is too
+/// short for its bends, and a bend beyond what the machine can press.
+fn left(told: &[Step], setup: &Setup) -> Result<Vec<Step>, NoDesign> {
     let mut steps = corner_to_corner(told, setup);
+    let bends = BendModel { axis_limit: None, ..setup.model.compensation.bend.clone() };
+    let most = |side: Angle| match &bends.setback {
+        // Any command beyond leaves the largest bend.
+        Some(_) => bends.max_bend(side).deg() - SLIGHTLY_LESS_DEG,
+        None => Angle::HALF_TURN.deg() + SLIGHTLY_LESS_DEG,
+    };
     for (index, step) in steps.iter_mut().enumerate() {
         // What is a little less than nothing was rounded.
         if step.feed.mm() < -ROUNDED_MM {
-            return Err(index);
+            return Err(NoDesign { step: index, command: ToldCommand::Feed });
+        }
+        if step.bend.deg().abs() > most(step.bend) {
+            return Err(NoDesign { step: index, command: ToldCommand::Bend });
         }
         if step.feed < Length::ZERO {
             step.feed = Length::ZERO;
@@ -168,6 +181,9 @@ pub(crate) fn corner_to_corner(told: &[Step], setup: &Setup) -> Vec<Step> {
     formed_steps(&CompensatedProgram::from_job_steps(told.iter().copied(), compensation), compensation)
 }
 
+/// Less than any command can tell.
+const SLIGHTLY_LESS_DEG: f64 = 1e-6;
+
 /// So much may a feed of a program with two decimals be off.
 const ROUNDED_MM: f64 = 0.01;
 
@@ -193,6 +209,31 @@ mod tests {
         let note = found.iter().find(|note| note.code == "not-bent").unwrap();
         assert!(note.message.starts_with("step 1: the bend axis went to 45.0°"), "{}", note.message);
         assert!(notes(50.0).iter().all(|note| note.code != "not-bent"));
+    }
+
+    /// The axis has its largest bend at 150°; one that is bent without a peg ends with half a turn.
+    #[test]
+    fn a_bend_beyond_reach_is_refused() {
+        let app = Installation::new(&[]).unwrap();
+        let designed = |name: &str, moves: &str, machine: &str| {
+            let input =
+                DesignInput { program: Some(ProgramKind::Compensated), ..DesignInput::file(name.into()) };
+            let opened = input.open_bytes(name.to_owned(), moves.as_bytes(), None).unwrap();
+            let choices = PlanChoices { machine: Some(machine.to_owned()), ..PlanChoices::default() };
+            app.designed(opened, &choices)
+        };
+        let kit =
+            |bend: f64| designed("a.txt", &format!("f 60\nb 30\nf 60\nb {bend}\nf 60\n"), "wirebend-kit");
+        for bend in [200.0, -1000.0] {
+            let error = kit(bend).err().unwrap();
+            let PlanningError::OtherCompensation { step, command, .. } = error else { panic!("{error}") };
+            assert_eq!((step, command), (2, ToldCommand::Bend), "{bend}");
+        }
+        assert!(kit(120.0).is_ok());
+        let pensa =
+            |bend: f64| designed("a.dsw", &format!("feed 60\nbend {bend}\nfeed 60\n"), "pensa-diwire-pro");
+        assert!(matches!(pensa(220.0), Err(PlanningError::OtherCompensation { step: 1, .. })));
+        assert!(pensa(170.0).is_ok());
     }
 
     /// With the springback of another machine 90° would become 66.5°, and nothing would be wrong with that.

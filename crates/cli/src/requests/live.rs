@@ -1,5 +1,7 @@
 //! The requests of what moves a machine, or asks it.
 
+use std::path::{Path, PathBuf};
+
 use wirebend_api::{
     Answers, Command, ConsoleRequest, DryRunRequest, JogRequest, MachineSettingsRequest, Output,
     PortsRequest, Repeat, ReplayRequest, RunHow, RunRequest, RunsExportRequest, RunsRequest, RunsShowRequest,
@@ -51,7 +53,7 @@ pub(super) fn run(args: RunArgs) -> anyhow::Result<Command> {
         },
         answers,
         accept_settings,
-        record: record.map(|path| Output { path, force }),
+        record: record_file(record, force)?,
     }))
 }
 
@@ -81,7 +83,7 @@ pub(super) fn jog(args: JogArgs) -> anyhow::Result<Command> {
         port: at.port,
         moves: moves(&words).map_err(WrongUse)?,
         answers,
-        record: record.map(|path| Output { path, force }),
+        record: record_file(record, force)?,
     }))
 }
 
@@ -89,6 +91,13 @@ pub(super) fn replay(args: ReplayArgs) -> anyhow::Result<Command> {
     let ReplayArgs { file, at, zero, machine } = args;
     let (file, answers) = (input(&file)?, answers(&at, &zero));
     Ok(Command::Replay(ReplayRequest { file, machine, port: at.port, answers }))
+}
+
+fn record_file(path: Option<PathBuf>, force: bool) -> Result<Option<Output>, WrongUse> {
+    if path.as_deref() == Some(Path::new("-")) {
+        return Err(WrongUse("a record goes to a file: name one after --record".to_owned()));
+    }
+    Ok(path.map(|path| Output { path, force }))
 }
 
 const fn answers(at: &PortArgs, zero: &ZeroArgs) -> Answers {

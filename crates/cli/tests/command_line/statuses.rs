@@ -162,6 +162,15 @@ fn options_that_would_have_no_effect_are_refused() {
 }
 
 #[test]
+fn a_record_goes_to_a_file() {
+    for command in ["run a.wbjob", "jog f 10 -m wirebend-kit"] {
+        let words: Vec<&str> = command.split(' ').chain(["--yes", "--record", "-"]).collect();
+        let refused = run(&words).ended(2).err;
+        assert!(refused.contains("name one after --record"), "{refused}");
+    }
+}
+
+#[test]
 fn a_start_without_an_edge_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let lone = r#"{"format": "wirebend", "version": 1, "wireframe": {"next_vertex": 3, "next_edge": 1,

@@ -26,6 +26,13 @@ use crate::report::PlanReport;
 use crate::stage::StageName;
 use crate::text;
 
+/// Which command of a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ToldCommand {
+    Feed,
+    Bend,
+}
+
 /// Why a command came to nothing.
 #[derive(Debug, thiserror::Error)]
 pub enum PlanningError {
@@ -243,12 +250,13 @@ pub enum PlanningError {
         name: String,
     },
     /// A program that was not compensated for this machine and this wire.
-    #[error("{name}, step {step}: no design leads to this feed on {machine} with {material}")]
+    #[error("{name}, step {step}: no design leads to this {} on {machine} with {material}", match command { ToldCommand::Feed => "feed", ToldCommand::Bend => "bend" })]
     OtherCompensation {
         /// The program.
         name: String,
         /// The step, from 1.
         step: usize,
+        command: ToldCommand,
         machine: String,
         material: String,
     },
