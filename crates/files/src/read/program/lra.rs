@@ -44,11 +44,11 @@ pub(in crate::read) fn read(
     let mut notes = Notes::default();
     notes.add(NoteKind::CommentsIgnored, table.comments);
     let columns = Columns::of(&table, source, &mut notes)?;
-    if options.units.or(table.unit()).is_none() {
+    if options.units.is_none() && table.unit_mm().is_none() {
         notes.add(NoteKind::UnitsAssumed, 1);
     }
-    let of_length = table.mm(Some(columns.length), options);
-    let of_radius = table.mm(columns.radius, options);
+    let of_length = table.mm(source, Some(columns.length), options)?;
+    let of_radius = table.mm(source, columns.radius, options)?;
     notes.add(
         NoteKind::UnitsOverridden,
         usize::from(of_length.1 || (columns.radius.is_some() && of_radius.1)),
@@ -56,8 +56,8 @@ pub(in crate::read) fn read(
     let factors = Factors {
         length: of_length.0,
         radius: of_radius.0,
-        twist: table.degrees(columns.twist),
-        angle: table.degrees(columns.angle),
+        twist: table.degrees(source, columns.twist)?,
+        angle: table.degrees(source, columns.angle)?,
     };
 
     let handedness = options.handedness.or(table.handedness);

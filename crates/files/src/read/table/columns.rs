@@ -12,7 +12,7 @@ use wirebend_error::ErrorRemedy;
 use super::super::error::{Location, ReadError};
 use super::super::note::{NoteKind, Notes};
 use super::super::text::{Source, excerpt};
-use super::{Column, Table, degrees};
+use super::{Column, Table};
 
 const LENGTH: &[&str] = &["l", "length", "feed", "straight", "y"];
 const DISTANCE: &[&str] = &["d"];
@@ -54,6 +54,8 @@ enum Plain {
     Bend,
     /// By "bend" and something that is not understood.
     Perhaps,
+    /// By "bend" and a unit of length, which is refused where nothing else is the angle.
+    InLength,
 }
 
 /// What each column of a header holds.
@@ -211,6 +213,11 @@ fn says(column: &Column, list: &[&str]) -> bool {
     words(column).any(|word| list.contains(&word))
 }
 
+/// Whether "rad" in the name of a column is short for its radius.
+pub(super) fn says_radius(column: &Column) -> bool {
+    says(column, RADIUS) && says(column, &["rad"])
+}
+
 /// What any other column holds: its first word tells what, the others and an ending how it is counted.
 fn holds(column: &Column) -> Option<(Holds, Plain)> {
     let (mut from_start, mut corners) = (says(column, FROM_START), says(column, CORNERS));
@@ -227,7 +234,8 @@ fn holds(column: &Column) -> Option<(Holds, Plain)> {
         (name, corners) = (length, true);
     }
     // The letter alone may as well be a diameter, or the one behind C.
-    let distance = if column.unit.is_some() || corners { DISTANCE } else { &[] };
+    let is_measured = column.units.mm.is_some() || column.units.unread;
+    let distance = if is_measured || corners { DISTANCE } else { &[] };
     let kinds = [
         (distance, Holds::Length { from_start: true, corners }),
         (LENGTH, Holds::Length { from_start, corners }),
@@ -245,16 +253,17 @@ fn of_bend(column: &Column, from_start: bool) -> Option<(Holds, Plain)> {
         return Some((Holds::Radius, Plain::Fully));
     }
     let is_number = says(column, NUMBER) || column.text.contains(['#', '№']);
-    if is_number || column.unit.is_some() || says(column, SOME_LENGTH) {
+    if is_number || says(column, SOME_LENGTH) {
         return None;
     }
     if says(column, ROTATION) {
         return Some((Holds::Twist { from_start }, Plain::Fully));
     }
-    let is_angle = says(column, ANGLE) || words(column).any(|word| degrees(word).is_some());
+    let is_angle = says(column, ANGLE) || column.units.degrees.is_some();
     let is_bare =
         words(column).all(|word| word == "bend" || FROM_START.contains(&word) || CORNERS.contains(&word));
     let plain = match (is_angle, is_bare) {
+        _ if column.units.mm.is_some() && column.units.degrees.is_none() => Plain::InLength,
         (true, _) => Plain::Fully,
         (false, true) => Plain::Bend,
         (false, false) => Plain::Perhaps,

@@ -3,6 +3,7 @@
 pub(super) mod columns;
 pub(super) mod pin_table;
 pub(super) mod sheet;
+mod units;
 pub(super) mod xyz;
 
 use std::borrow::Cow;
@@ -10,8 +11,9 @@ use std::borrow::Cow;
 use wirebend_error::ErrorRemedy;
 
 use super::error::{Location, ReadError};
-use super::options::{Handedness, LengthUnit, ReadOptions};
+use super::options::Handedness;
 use super::text::{Source, last_place, lines};
+use units::Units;
 
 /// Rows of cells. Separators are `;`, tab, `,` or blanks, in this order of preference, and cells may stand in quotes; the decimal mark
 /// may be a comma where the separator is `;` or tab, and in quotes. Lines that start with `#` are comments.
@@ -19,9 +21,11 @@ use super::text::{Source, last_place, lines};
 pub(crate) struct Table<'a> {
     /// The first row, if it has words.
     pub(crate) header: Option<Vec<Column>>,
+    /// The line of the first row, from 1.
+    first_line: usize,
     /// How many cells that row has, with those that have no name.
     width: Option<usize>,
-    /// The other rows with their line; empty cells at the end are cut off, blank lines left out.
+    /// The other rows with their line; empty cells at the end are cut off, rows of them left out as blank lines are.
     pub(crate) rows: Vec<(usize, Vec<Cow<'a, str>>)>,
     pub(crate) comments: usize,
     /// What the comments and the names of columns say of handedness.
@@ -38,10 +42,8 @@ pub(crate) struct Column {
     pub(crate) name: String,
     /// The words behind it, in lower case.
     pub(crate) more: Vec<String>,
-    /// The unit of length that it names.
-    pub(crate) unit: Option<LengthUnit>,
-    /// How many degrees the unit of angle is that it names; 1 where it names none.
-    pub(crate) degrees: f64,
+    /// What it is in.
+    pub(crate) units: Units,
 }
 
 impl<'a> Table<'a> {
@@ -49,7 +51,7 @@ impl<'a> Table<'a> {
     pub(crate) fn parse(text: &'a str) -> Self {
         let (mut comments, mut handedness) = (0, None);
         let mut content = Vec::new();
-        for (number, line) in lines(text).filter(|(_, line)| !line.trim().is_empty()) {
+        for (number, line) in lines(text).filter(|(_, line)| !is_empty_row(line)) {
             if is_comment(line) {
                 comments += 1;
                 handedness = handedness.or_else(|| hand(line));
@@ -64,6 +66,7 @@ impl<'a> Table<'a> {
             }
         }
         let separator = separator(&content);
+        let first_line = content.first().map_or(1, |(number, _)| *number);
         let width = content.first().map_or(0, |(_, line)| all_cells(line, separator).len());
         let mut rows: Vec<(usize, Vec<Cow<str>>)> =
             content.into_iter().map(|(number, line)| (number, cells(line, separator))).collect();
@@ -76,7 +79,8 @@ impl<'a> Table<'a> {
         let handedness = handedness.or_else(|| header.iter().flatten().find_map(of_column));
         let decimal_comma = matches!(separator, Some(';' | '\t'))
             || rows.iter().flat_map(|(_, row)| row).any(|cell| is_decimal(cell));
-        Self { width: header.as_ref().map(|_| width), header, rows, comments, handedness, decimal_comma }
+        let width = header.as_ref().map(|_| width);
+        Self { header, first_line, width, rows, comments, handedness, decimal_comma }
     }
 
     /// A table in which every cell has a column, of which there are `least` even where the header has fewer.
@@ -91,24 +95,6 @@ impl<'a> Table<'a> {
             return Err(source.syntax(place, &row.join(" "), expected, ErrorRemedy::CorrectFile));
         }
         Ok(table)
-    }
-
-    /// How many mm one is in a column, and whether the person's unit is another than the table names there. A column without a unit has
-    /// that of the others.
-    pub(crate) fn mm(&self, column: Option<usize>, options: &ReadOptions) -> (f64, bool) {
-        let named = column.and_then(|column| self.header.as_ref()?.get(column)?.unit).or_else(|| self.unit());
-        let is_other = options.units.zip(named).is_some_and(|(wanted, named)| wanted != named);
-        (options.units.or(named).unwrap_or_default().mm() * options.scale, is_other)
-    }
-
-    /// The first unit of length that the header names.
-    pub(crate) fn unit(&self) -> Option<LengthUnit> {
-        self.header.iter().flatten().find_map(|column| column.unit)
-    }
-
-    /// How many degrees one is in a column.
-    pub(crate) fn degrees(&self, column: Option<usize>) -> f64 {
-        column.and_then(|column| Some(self.header.as_ref()?.get(column)?.degrees)).unwrap_or(1.0)
     }
 
     /// Whether the first rows hold numbers and nothing else.
@@ -162,15 +148,8 @@ impl Column {
         let words = cell.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
         let mut words = words.map(str::to_lowercase);
         let name = words.next().unwrap_or_default();
-        let more: Vec<String> = words.collect();
-        // "in" is an inch where it ends the name, as in "length in", and not in "length in mm".
-        let is_last = |k: usize| k + 1 == more.len();
-        let unit = more
-            .iter()
-            .enumerate()
-            .find_map(|(k, word)| LengthUnit::from_word(word).filter(|_| word != "in" || is_last(k)));
-        let degrees = more.iter().find_map(|word| degrees(word)).unwrap_or(1.0);
-        Self { text: cell.to_owned(), name, unit, degrees, more }
+        let more = words.collect();
+        Self { text: cell.to_owned(), name, more, units: Units::of(cell) }
     }
 }
 
@@ -193,14 +172,9 @@ fn is_comment(line: &str) -> bool {
     line.starts_with('#') || (line.starts_with("\"#") && !line.starts_with("\"#\""))
 }
 
-/// How many degrees a unit of angle is, by its name.
-fn degrees(word: &str) -> Option<f64> {
-    match word {
-        "deg" | "degree" | "degrees" => Some(1.0),
-        "rad" | "radian" | "radians" => Some(1.0_f64.to_degrees()),
-        "gon" | "gradian" | "gradians" => Some(0.9),
-        _ => None,
-    }
+/// Whether a line has nothing but what stands between and around cells.
+fn is_empty_row(line: &str) -> bool {
+    line.chars().all(|c| c.is_whitespace() || matches!(c, ',' | ';' | '"'))
 }
 
 /// Whether a mark stands between cells, and not in one that has quotes around it.
@@ -363,19 +337,15 @@ mod tests {
                 text: "X [mm]".into(),
                 name: "x".into(),
                 more: vec!["mm".into()],
-                unit: Some(LengthUnit::Millimetre),
-                degrees: 1.0,
+                units: Units { mm: Some(1.0), ..Units::default() },
             }
         );
-        assert_eq!(table.header.as_ref().unwrap()[1].unit, Some(LengthUnit::Inch));
+        assert_eq!(table.header.as_ref().unwrap()[1].units.mm, Some(25.4));
         assert_eq!((table.comments, table.rows.len()), (1, 1));
         assert!(Table::parse("1,2,3\nx,y,z").header.is_none());
         let words = Table::parse("Length in mm;Angle in deg;Radius in;Turn [Grad]\n1;2;3;4\n");
         let of: Vec<_> =
-            words.header.as_ref().unwrap().iter().map(|column| (column.unit, column.degrees)).collect();
-        assert_eq!(
-            of,
-            [(Some(LengthUnit::Millimetre), 1.0), (None, 1.0), (Some(LengthUnit::Inch), 1.0), (None, 1.0)]
-        );
+            words.header.iter().flatten().map(|Column { units, .. }| (units.mm, units.degrees)).collect();
+        assert_eq!(of, [(Some(1.0), None), (None, Some(1.0)), (Some(25.4), None), (None, Some(1.0))]);
     }
 }

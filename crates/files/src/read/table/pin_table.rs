@@ -50,14 +50,13 @@ pub fn pin_table(file: &str, bytes: &[u8]) -> Result<Vec<PinPair>, ReadError> {
     let text = decode(bytes);
     let table = Table::read(&text, source, 2)?;
     let (pin, second, says) = columns(&table);
+    let pin_factor = table.degrees(source, Some(pin))?;
+    let second_factor = table.degrees(source, Some(second))?;
     let mut rows = Vec::new();
     for (row, (line, _)) in table.rows.iter().enumerate() {
-        let value = |column: usize| {
-            let value = table.value(source, row, column)?;
-            Ok::<_, ReadError>(value.map(|value| value * table.degrees(Some(column))))
-        };
+        let value = |column: usize| table.value(source, row, column);
         if let (Some(pin), Some(second)) = (value(pin)?, value(second)?) {
-            rows.push((*line, pin, second));
+            rows.push((*line, pin * pin_factor, second * second_factor));
         }
     }
     let Some(&(first, ..)) = rows.first() else {

@@ -23,12 +23,17 @@ pub(in crate::read) fn read(
     let mut drawing = Drawing::default();
     drawing.notes.add(NoteKind::CommentsIgnored, table.comments);
     let columns = columns(&table, source, &mut drawing)?;
-    // The points are in the unit of the drawing, whatever each column is in; where a person's unit takes its place, one that differs.
-    let named = columns.iter().filter_map(|&column| table.header.as_ref()?.get(column)?.unit);
-    let other = named.clone().find(|unit| options.units.is_some_and(|wanted| wanted != *unit));
-    drawing.unit_mm = other.or_else(|| table.unit()).map(LengthUnit::mm);
-    let own = |column: usize| table.mm(Some(column), options).0 / table.mm(None, options).0;
-    let shares = columns.map(own);
+    // The points are in the unit of the drawing, whatever each column is in.
+    drawing.unit_mm = options.units.map(LengthUnit::mm).or_else(|| table.unit_mm());
+    let whole = table.mm(source, None, options)?.0;
+    let mut shares = [1.0; 3];
+    let mut is_overridden = false;
+    for (share, &column) in shares.iter_mut().zip(&columns) {
+        let (mm, is_other) = table.mm(source, Some(column), options)?;
+        *share = mm / whole;
+        is_overridden |= is_other;
+    }
+    drawing.notes.add(NoteKind::UnitsOverridden, usize::from(is_overridden));
     for row in 0..table.rows.len() {
         let place = table.place(row);
         source.room(place.clone(), row, "points")?;

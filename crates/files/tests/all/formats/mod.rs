@@ -30,7 +30,6 @@ mod real_files;
 mod round_trips;
 mod svg;
 mod svg_styles;
-mod table_names;
 mod tables;
 mod written_models;
 

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use nalgebra::Point3;
 use proptest::prelude::*;
+use proptest::sample::Index;
 use wirebend_core::bend::{Convention, Frame, Sign, Step, replay};
 use wirebend_core::units::Length;
 use wirebend_files::read::{Format, ReadOptions, read};
@@ -39,6 +40,14 @@ struct Style {
 impl Style {
     fn row(self, cells: &[String]) -> String {
         format!("{}\n", cells.join(&self.separator.to_string()))
+    }
+
+    /// A table with a row of empty cells in it, as spreadsheets leave them.
+    fn with_empty_row(self, text: &str, before: Index) -> String {
+        let mut lines: Vec<&str> = text.lines().collect();
+        let empty = self.separator.to_string().repeat(2);
+        lines.insert(before.index(lines.len() + 1), &empty);
+        lines.join("\n")
     }
 
     /// Four decimals.
@@ -179,11 +188,13 @@ proptest! {
         counted in any_counted(),
         convention in any_convention(),
         clr_column: bool,
+        empty: Index,
     ) {
         let radius = mm(1.5);
         let turned: Vec<Step> = steps.iter().map(|step| convention.apply(*step)).collect();
         // Feeds of 0 have no room for arcs: such programs have no table of tangent lengths.
         let Some(text) = bend_table(&turned, radius.mm(), clr_column, style, counted) else { return Ok(()) };
+        let text = style.with_empty_row(&text, empty);
         let options = ReadOptions { clr: Some(radius), convention, ..ReadOptions::default() };
         let back = read(text.as_bytes(), "table", Some(Format::Lra), &options).unwrap().program.unwrap();
         prop_assert_eq!(steps.len(), back.program.steps.len());
@@ -203,12 +214,17 @@ proptest! {
     }
 
     #[test]
-    fn point_tables(points in prop::collection::vec(prop::array::uniform3(-1e5..1e5_f64), 2..20), style in any_style()) {
+    fn point_tables(
+        points in prop::collection::vec(prop::array::uniform3(-1e5..1e5_f64), 2..20),
+        style in any_style(),
+        empty: Index,
+    ) {
         let points: Vec<Point3<f64>> = points.into_iter().map(Point3::from).collect();
         let mut text = if style.header { style.row(&["x_mm", "y_mm", "z_mm"].map(str::to_owned)) } else { String::new() };
         for point in &points {
             text.push_str(&style.row(&[point.x, point.y, point.z].map(|value| style.number(value))));
         }
+        let text = style.with_empty_row(&text, empty);
         let back = read(text.as_bytes(), "points", Some(Format::Xyz), &ReadOptions::default()).unwrap().wireframe;
         prop_assert_eq!((back.vertex_count(), back.edge_count()), (points.len(), points.len() - 1));
         for ((_, vertex), point) in back.vertices().zip(&points) {

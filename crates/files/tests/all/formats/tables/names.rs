@@ -3,7 +3,7 @@
 use wirebend_core::units::{DisplayUnit, written_in};
 use wirebend_files::read::{Format, Imported, NoteKind, ReadOptions, read};
 
-use super::{import, mm, notes};
+use super::super::{import, mm, notes};
 
 /// Bends of 90° and 45° with a radius of 30, whatever else is said of them.
 const NUMBERED: [&str; 8] = [

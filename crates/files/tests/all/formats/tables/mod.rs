@@ -1,5 +1,8 @@
 //! Tables of bends: a published sample, and one wire in every way in which tables say it.
 
+mod names;
+mod units;
+
 use nalgebra::{Point3, Vector3};
 use wirebend_core::bend::{Convention, Frame, Sign, Step, program_of_path, replay};
 use wirebend_core::units::Angle;
