@@ -48,7 +48,8 @@ struct ErrorBody<'a> {
 pub(crate) fn arguments(error: &clap::Error, json: bool) -> ExitCode {
     let code = if error.use_stderr() { exit::USAGE } else { exit::DONE };
     if !json || code == exit::DONE {
-        return if error.print().is_ok() { ExitCode::from(code) } else { ExitCode::from(exit::FAILURE) };
+        let is_lost = error.print().is_err_and(|error| error.kind() != std::io::ErrorKind::BrokenPipe);
+        return ExitCode::from(if is_lost { exit::FAILURE } else { code });
     }
     let text = error.render().to_string();
     let (message, help) = if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {

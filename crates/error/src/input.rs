@@ -7,6 +7,8 @@ use serde::Serialize;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum InputName {
+    /// The format of a file.
+    Format,
     /// The factor that a model is scaled by.
     Scale,
     /// The unit of a file's numbers.
@@ -27,6 +29,8 @@ pub enum InputName {
     Handedness,
     /// Whether a program is nominal or compensated.
     Program,
+    /// The machine.
+    Machine,
     /// The material.
     Material,
     /// Whether edges may be doubled.
@@ -114,6 +118,7 @@ impl InputName {
     #[must_use]
     pub const fn words(self) -> &'static str {
         match self {
+            Self::Format => "format",
             Self::Scale => "scale",
             Self::Units => "unit",
             Self::Weld => "weld distance",
@@ -124,6 +129,7 @@ impl InputName {
             Self::Layers => "layers",
             Self::Handedness => "handedness",
             Self::Program => "kind of program",
+            Self::Machine => "machine",
             Self::Material => "material",
             Self::Double => "doubled edges",
             Self::Detours => "detours",

@@ -96,7 +96,6 @@ pub enum ErrorRemedy {
         /// All.
         known: Vec<String>,
     },
-
     /// Take one of the load cases of a file.
     ChooseLoadCase {
         /// All.
@@ -181,6 +180,8 @@ pub enum ErrorRemedy {
     TurnBack,
     /// Take the edges of the model's faces.
     TakeFaceEdges,
+    /// Import the model of a document again, with the edges of its faces.
+    ImportFaceEdges,
     /// Trace a wireframe on the surface.
     TraceSurface,
     /// Open the file as a wireframe.

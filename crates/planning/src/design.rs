@@ -346,7 +346,7 @@ impl Opened {
     /// The design, if it has a wireframe to work on.
     pub fn with_wireframe(self) -> Result<Self, PlanningError> {
         if self.document.wireframe.edge_count() == 0 && !self.document.stencils.is_empty() {
-            return Err(PlanningError::OnlyStencil { name: self.name });
+            return Err(PlanningError::OnlyStencil { name: self.name, format: self.format });
         }
         Ok(self)
     }

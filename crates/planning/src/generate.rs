@@ -8,8 +8,9 @@ use wirebend_core::units::Length;
 use wirebend_core::wireframe::{TrussError, regular_depth, regular_strut, tetrahedral_truss};
 use wirebend_files::document::Document;
 
-use crate::import::{size_mm, wireframe_obj};
+use crate::import::{document_misnamed, size_mm, wireframe_obj};
 use crate::output::Output;
+use crate::report::NoteReport;
 use crate::{Installation, PlanningError, Progress};
 
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -48,6 +49,8 @@ pub struct GenerateResponse {
     pub size_mm: [f64; 3],
     /// Length of the shortest and of the longest edge, in mm.
     pub strut_mm: [f64; 2],
+    /// What a person should know.
+    pub notes: Vec<NoteReport>,
     /// The file that was written.
     pub output: Option<PathBuf>,
     /// The document, where it was not written to a file.
@@ -91,6 +94,7 @@ pub fn generate(
         length_mm: wireframe.total_length().mm(),
         size_mm: size_mm(wireframe),
         strut_mm,
+        notes: document_misnamed(request.output.as_ref()).into_iter().collect(),
         contents: if output.is_some() { Vec::new() } else { contents },
         output,
     })

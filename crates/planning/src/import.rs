@@ -5,12 +5,15 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::wireframe::Wireframe;
-use wirebend_error::ErrorRemedy;
+use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_files::document::{Document, StencilSource};
 
 use crate::choices::PlanChoices;
-use crate::design::DesignInput;
+use crate::design::{DesignInput, Opened};
+use crate::error::{edges_of_faces, input_words};
+use crate::misnamed;
 use crate::output::Output;
+use crate::program::Known;
 use crate::report::NoteReport;
 use crate::{Installation, PlanningError, Progress};
 
@@ -80,20 +83,24 @@ pub fn import(
     let ImportRequest { machine, material, .. } = request;
     let choices =
         PlanChoices { machine: machine.clone(), material: material.clone(), ..PlanChoices::default() };
-    let opened = app.designed(request.design.open_with(app, &choices, progress)?, &choices)?;
+    let opened = request.design.open_with(app, &choices, progress)?;
+    let without_effect = without_effect(app, request, &opened)?;
+    let opened = app.designed(opened, &choices)?;
     progress.stage("writing");
     let as_obj = request.output.as_ref().is_some_and(Output::is_obj);
     let contents = if as_obj { wireframe_obj(&opened.document)? } else { opened.document.to_bytes()? };
     let wireframe = &opened.document.wireframe;
     let mut notes = opened.notes;
+    notes.extend(without_effect);
     if wireframe.edge_count() == 0 && !opened.document.stencils.is_empty() {
         notes.push(NoteReport {
             code: "only-stencil".into(),
             count: 1,
             message: "there is a surface and no lines".to_owned(),
-            remedies: vec![ErrorRemedy::TakeFaceEdges],
+            remedies: vec![edges_of_faces(opened.format)],
         });
     }
+    notes.extend(document_misnamed(request.output.as_ref()));
     let output = request.output.as_ref().map(|output| output.save(&contents)).transpose()?;
     Ok(ImportResponse {
         format: opened.format.title().to_owned(),
@@ -107,6 +114,35 @@ pub fn import(
         contents: if output.is_some() { Vec::new() } else { contents },
         output,
     })
+}
+
+/// A machine and a material of which nothing is taken: only a compensated program is turned back, and only edges that are as short as
+/// a machine makes them are read for one.
+fn without_effect(
+    app: &Installation,
+    request: &ImportRequest,
+    opened: &Opened,
+) -> Result<Option<NoteReport>, PlanningError> {
+    let is_told = opened.program.as_ref().is_some_and(|program| program.known == Known::Told);
+    if is_told || request.design.shortest_edge.is_some() {
+        return Ok(None);
+    }
+    let (machine, material) = (request.machine.as_deref(), request.material.as_deref());
+    machine.map(|id| app.library.machine(id)).transpose()?;
+    material.map(|id| app.library.material(id)).transpose()?;
+    let given = [machine.map(|_| InputName::Machine), material.map(|_| InputName::Material)];
+    let inputs: Vec<InputName> = given.into_iter().flatten().collect();
+    Ok((!inputs.is_empty()).then(|| NoteReport {
+        code: "without-effect".into(),
+        count: inputs.len(),
+        message: format!("what is read is the design itself: {} had no effect", input_words(&inputs)),
+        remedies: vec![ErrorRemedy::LeaveOut { inputs }],
+    }))
+}
+
+/// What goes to the file of a design is a wireframe alone where its name says so, and else the document.
+pub(crate) fn document_misnamed(output: Option<&Output>) -> Option<NoteReport> {
+    misnamed::PROJECT.misnamed(output.filter(|output| !output.is_obj()))
 }
 
 /// How large a wireframe is along x, y and z; nothing of an empty one.

@@ -25,6 +25,7 @@ pub mod import;
 pub mod installation;
 pub mod job;
 pub mod machine;
+pub mod misnamed;
 pub mod output;
 pub mod pauses;
 pub mod picture;

@@ -182,6 +182,20 @@ pub enum ProfileError {
         /// The nearest ids and the known ones.
         remedy: Box<ErrorRemedy>,
     },
+    /// A profile names another one that only serves to be inherited from.
+    #[error("{place}: {key} names the {kind} `{id}`, which is abstract and cannot be used itself")]
+    AbstractReference {
+        /// Where.
+        place: Place,
+        /// Dotted key.
+        key: String,
+        /// Kind of the profile that is named.
+        kind: Kind,
+        /// Id that is named.
+        id: String,
+        /// The nearest ids and those that can be used.
+        remedy: Box<ErrorRemedy>,
+    },
     /// No profile has this id.
     #[error("no {kind} has the id `{id}`{}", other.map(|kind| format!(": it is a {kind}")).unwrap_or_default())]
     Unknown {
@@ -258,7 +272,7 @@ impl ProfileError {
             Self::UnknownReference { .. } => ErrorCode::ProfileUnknownReference,
             Self::Unknown { .. } => ErrorCode::ProfileUnknown,
             Self::UnknownId { .. } => ErrorCode::ProfileUnknownId,
-            Self::Abstract { .. } => ErrorCode::ProfileAbstract,
+            Self::AbstractReference { .. } | Self::Abstract { .. } => ErrorCode::ProfileAbstract,
             Self::Missing { .. } => ErrorCode::ProfileMissing,
             Self::Rule { .. } => ErrorCode::ProfileRule,
         }
@@ -285,6 +299,7 @@ impl ProfileError {
             Self::Shape { remedy, .. }
             | Self::UnknownParent { remedy, .. }
             | Self::UnknownReference { remedy, .. }
+            | Self::AbstractReference { remedy, .. }
             | Self::Unknown { remedy, .. }
             | Self::UnknownId { remedy, .. } => (**remedy).clone(),
             Self::Abstract { .. } => ErrorRemedy::UseChild,

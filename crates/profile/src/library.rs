@@ -183,7 +183,8 @@ impl Library {
     }
 
     fn get<T: Profile>(&self, id: &str) -> Result<Resolved<T>, ProfileError> {
-        let layer = self.find(T::KIND, id)?;
+        let unknown = || self.unknown(T::KIND, id, self.usable(T::KIND, id));
+        let layer = self.layer(T::KIND, id).ok_or_else(unknown)?;
         if layer.is_abstract {
             let place = layer.place("abstract");
             return Err(ProfileError::Abstract { place, kind: T::KIND, id: id.into() });
@@ -193,18 +194,18 @@ impl Library {
 
     /// As [`Library::resolve`], with the first of the errors.
     pub(crate) fn resolve_first<T: Profile>(&self, layer: &Layer) -> Result<Resolved<T>, ProfileError> {
-        let unknown = || self.unknown(T::KIND, &layer.id);
+        let unknown = || self.unknown(T::KIND, &layer.id, self.known(T::KIND, &layer.id, ""));
         self.resolve(layer).map_err(|errors| errors.into_iter().next().unwrap_or_else(unknown))
     }
 
     /// The layer with this id.
     pub(crate) fn find(&self, kind: Kind, id: &str) -> Result<&Layer, ProfileError> {
-        self.layer(kind, id).ok_or_else(|| self.unknown(kind, id))
+        self.layer(kind, id).ok_or_else(|| self.unknown(kind, id, self.known(kind, id, "")))
     }
 
-    fn unknown(&self, kind: Kind, id: &str) -> ProfileError {
+    fn unknown(&self, kind: Kind, id: &str, remedy: ErrorRemedy) -> ProfileError {
         let other = Kind::ALL.into_iter().find(|other| self.layer(*other, id).is_some());
-        ProfileError::Unknown { kind, id: id.into(), other, remedy: Box::new(self.known(kind, id, "")) }
+        ProfileError::Unknown { kind, id: id.into(), other, remedy: Box::new(remedy) }
     }
 
     /// The kinds that have a profile with this id, at least one.
@@ -275,6 +276,12 @@ impl Library {
     pub(crate) fn known(&self, kind: Kind, id: &str, besides: &str) -> ErrorRemedy {
         let ids = self.of_kind(kind).map(|layer| layer.id.as_str()).filter(|known| *known != besides);
         choose(id, ids.collect())
+    }
+
+    /// The same where the profile itself is used, and not inherited from.
+    pub(crate) fn usable(&self, kind: Kind, id: &str) -> ErrorRemedy {
+        let usable = self.of_kind(kind).filter(|layer| !layer.is_abstract);
+        choose(id, usable.map(|layer| layer.id.as_str()).collect())
     }
 }
 

@@ -94,12 +94,19 @@ impl Whole<'_> {
             }
         }
         for (key, kind, id) in profile.references() {
-            if self.library.layer(kind, id).is_none() {
-                let remedy = Box::new(self.library.known(kind, id, ""));
-                let (key, id) = (key.to_owned(), id.to_owned());
-                let place = self.place(&key);
-                errors.push(ProfileError::UnknownReference { place, key, kind, id, remedy });
+            let named = self.library.layer(kind, id);
+            let is_abstract = named.is_some_and(|layer| layer.is_abstract);
+            // What is abstract itself leaves it to its children to name another.
+            if named.is_some() && (!is_abstract || profile.is_abstract()) {
+                continue;
             }
+            let remedy = Box::new(self.library.usable(kind, id));
+            let (place, key, id) = (self.place(key), key.to_owned(), id.to_owned());
+            errors.push(if is_abstract {
+                ProfileError::AbstractReference { place, key, kind, id, remedy }
+            } else {
+                ProfileError::UnknownReference { place, key, kind, id, remedy }
+            });
         }
         errors
     }

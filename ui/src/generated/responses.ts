@@ -288,6 +288,9 @@ export type ErrorRemedy =
       remedy: "take-face-edges";
     }
   | {
+      remedy: "import-face-edges";
+    }
+  | {
       remedy: "trace-surface";
     }
   | {
@@ -564,6 +567,7 @@ export type ErrorRemedy =
  * Something that a person gives.
  */
 export type InputName =
+  | "format"
   | "scale"
   | "units"
   | "weld"
@@ -574,6 +578,7 @@ export type InputName =
   | "layers"
   | "handedness"
   | "program"
+  | "machine"
   | "material"
   | "double"
   | "detours"
@@ -4595,6 +4600,10 @@ export interface ProfileExportResponse {
   file: string | null;
   id: string;
   kind: Kind;
+  /**
+   * What a person should know.
+   */
+  notes: NoteReport[];
   /**
    * Other profiles that are in the file.
    */

@@ -6,6 +6,7 @@ type Kind = ErrorRemedy["remedy"];
 
 /** What is to be given, as it is called in the window. */
 const INPUTS: Readonly<Record<InputName, string>> = {
+  format: "the format",
   scale: "the scale",
   units: "the unit",
   weld: "the weld distance",
@@ -16,6 +17,7 @@ const INPUTS: Readonly<Record<InputName, string>> = {
   layers: "the layers",
   handedness: "the direction of rotations",
   program: "the kind of program",
+  machine: "the machine",
   material: "the material",
   double: "doubled edges",
   detours: "detours",
@@ -124,6 +126,7 @@ const REMEDIES: { readonly [K in Kind]: (remedy: Extract<ErrorRemedy, { remedy: 
   "take-as-nominal": () => "Or open it as a nominal program.",
   "turn-back": () => "If it was compensated, open it as a compensated program.",
   "take-face-edges": () => "Open it to bend along the edges of its faces.",
+  "import-face-edges": () => "Open its model again to bend along the edges of its faces.",
   "trace-surface": () => "Open it to trace on its surface.",
   "open-as-wireframe": () => "Open it as a wireframe.",
   "export-format": ({ format }) => `Export the machine\u2019s own program (${format}).`,

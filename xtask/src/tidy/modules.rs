@@ -38,7 +38,7 @@ const ORDER: &[(&str, &str)] = &[
     ),
     (
         "crates/planning",
-        "text report stage progress error output installation signs drivers bodies machine contacts job choices curves program design stencil \
+        "text report stage progress error output misnamed installation signs drivers bodies machine contacts job choices curves program design stencil \
          turning_back playback pauses plan compare wires catalogue import generate picture export dump profiles calibrate as_given collisions simulate frame sequence",
     ),
     (

@@ -48,7 +48,7 @@ pub(crate) struct FrameArgs {
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub modes: u32,
     /// Pieces that a strut is cut into to vibrate
-    #[arg(long, value_name = "N", default_value_t = 4)]
+    #[arg(long, value_name = "N", default_value_t = 4, requires = "modes")]
     pub pieces: u32,
     /// Find the modes also where every strut bows by this share of its length, in a random direction; an arc is cut into 9 pieces at least
     #[arg(long, value_name = "SHARE", requires = "modes", value_parser = parse_share, allow_hyphen_values = true)]

@@ -83,7 +83,7 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "FILE")]
     pub record: Option<PathBuf>,
     /// Replace a record that is there
-    #[arg(long)]
+    #[arg(long, requires = "record")]
     pub force: bool,
 }
 
@@ -156,7 +156,7 @@ pub(crate) struct JogArgs {
     #[arg(long, value_name = "FILE")]
     pub record: Option<PathBuf>,
     /// Replace a recording that is there
-    #[arg(long)]
+    #[arg(long, requires = "record")]
     pub force: bool,
     /// Moves: f MM, r DEGREES, b DEGREES, home; a number may be below 0
     #[arg(value_name = "MOVE", required = true, allow_negative_numbers = true)]

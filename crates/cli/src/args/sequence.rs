@@ -50,7 +50,7 @@ pub(crate) struct SequenceArgs {
     #[arg(long, short = 'f', value_name = "FORMAT", default_value = "wirebend", requires = "output", value_parser = format_parser())]
     pub format: SequenceFormat,
     /// Replace a file that is there
-    #[arg(long)]
+    #[arg(long, requires = "output")]
     pub force: bool,
 }
 

@@ -86,6 +86,7 @@ fn one(remedy: &ErrorRemedy) -> String {
         R::TakeAsNominal => "take it as it stands with --program nominal".to_owned(),
         R::TurnBack => "turn it back into the design with --program compensated".to_owned(),
         R::TakeFaceEdges => "take the edges of its faces with --face-edges".to_owned(),
+        R::ImportFaceEdges => "import its model again with --face-edges".to_owned(),
         R::TraceSurface => "trace a wireframe on it in the window".to_owned(),
         R::OpenAsWireframe => "use it as a wireframe".to_owned(),
         R::ExportFormat { format } => format!("export the machine's own program: --format {format}"),
@@ -225,6 +226,7 @@ fn choice(near: &[String], known: &[String]) -> String {
 /// The option by which something is given.
 const fn option(input: InputName) -> &'static str {
     match input {
+        InputName::Format => "--from",
         InputName::Scale => "--scale",
         InputName::Units => "--units",
         InputName::Weld => "--weld",
@@ -235,6 +237,7 @@ const fn option(input: InputName) -> &'static str {
         InputName::Layers => "--layer",
         InputName::Handedness => "--handedness",
         InputName::Program => "--program",
+        InputName::Machine => "--machine",
         InputName::Material => "--material",
         InputName::Double => "--double",
         InputName::Detours => "--detours",

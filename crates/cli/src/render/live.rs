@@ -151,7 +151,9 @@ pub(super) fn jog(out: &mut impl Write, err: &mut impl Write, found: &JogRespons
         advice::write(err, &problem.remedies)?;
     }
     standing(err, None, found.standstill)?;
-    for note in found.notes.iter().filter(|note| note.code == "nothing-recorded") {
+    // The others were told before anything moved.
+    let of_recording = ["nothing-recorded", "not-saved", "misnamed"];
+    for note in found.notes.iter().filter(|note| of_recording.contains(&&*note.code)) {
         writeln!(err, "note: {}", note.message)?;
     }
     written(err, found.output.iter())

@@ -247,6 +247,7 @@ fn import(out: &mut impl Write, found: &ImportResponse) -> std::io::Result<()> {
 }
 
 fn generate(out: &mut impl Write, found: &GenerateResponse) -> std::io::Result<()> {
+    notes(out, &found.notes)?;
     let size: Vec<String> = found.size_mm.iter().map(|&length| mm(length)).collect();
     let [least, most] = found.strut_mm.map(mm);
     let struts = if least == most { least } else { format!("{least} to {most}") };

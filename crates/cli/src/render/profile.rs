@@ -11,7 +11,7 @@ use wirebend_api::{
 };
 
 use super::tables::padded;
-use super::{advice, severity_style};
+use super::{advice, notes, severity_style};
 
 /// The widest line.
 const COLUMNS: usize = 120;
@@ -83,6 +83,7 @@ pub(super) fn revert(out: &mut impl Write, found: &ProfileRevertResponse) -> std
 
 pub(super) fn exported(out: &mut impl Write, found: &ProfileExportResponse) -> std::io::Result<()> {
     let Some(file) = &found.file else { return Ok(()) };
+    notes(out, &found.notes)?;
     writeln!(out, "wrote {} ({} '{}'{})", file.display(), found.kind, found.id, with(&found.with))
 }
 

@@ -8,7 +8,7 @@ use wirebend_api::{
 
 use super::number::mm;
 use super::tables::table;
-use super::written;
+use super::{notes, written};
 
 pub(super) fn list(out: &mut impl Write, err: &mut impl Write, found: &RunsResponse) -> std::io::Result<()> {
     let rows = found.runs.iter().filter(|run| run.problem.is_none()).map(row);
@@ -99,5 +99,6 @@ pub(super) fn show(out: &mut impl Write, found: &RunsShowResponse) -> std::io::R
 }
 
 pub(super) fn export(err: &mut impl Write, found: &RunsExportResponse) -> std::io::Result<()> {
+    notes(err, &found.notes)?;
     written(err, found.output.iter())
 }

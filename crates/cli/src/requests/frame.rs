@@ -19,6 +19,10 @@ pub(super) fn frame(args: FrameArgs) -> anyhow::Result<Command> {
         let words = "results go to files: name one after --vtk, --csv, --conmech, --glb or --closed-vtk";
         return Err(WrongUse(words.to_owned()).into());
     }
+    if args.force && named.iter().all(|file| file.is_none()) {
+        let words = "--force replaces files: name one after --vtk, --csv, --conmech, --glb or --closed-vtk";
+        return Err(WrongUse(words.to_owned()).into());
+    }
     if !args.close && (args.closing.closing.is_some() || args.closing.faces.is_some()) {
         let words = "--closing and --faces are for joints that are closed: give --close and --errors, too";
         return Err(WrongUse(words.to_owned()).into());

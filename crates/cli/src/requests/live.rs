@@ -127,15 +127,15 @@ pub(super) fn console(args: ConsoleArgs) -> anyhow::Result<Command> {
     Ok(Command::Console(ConsoleRequest { machine, port, lines, confirmed: yes }))
 }
 
-pub(super) fn runs(command: RunsCommand) -> Prepared {
+pub(super) fn runs(command: RunsCommand) -> Result<Prepared, WrongUse> {
     let written = |request| Prepared::Command(Box::new(request), Contents::Written);
-    match command {
+    Ok(match command {
         RunsCommand::List => written(Command::Runs(RunsRequest {})),
         RunsCommand::Show { id } => written(Command::RunsShow(RunsShowRequest { id })),
         RunsCommand::Export { id, output } => {
-            let (output, contents) = place(output, true);
+            let (output, contents) = place(output, true)?;
             let request = Command::RunsExport(RunsExportRequest { id, output });
             Prepared::Command(Box::new(request), contents)
         }
-    }
+    })
 }

@@ -49,13 +49,13 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
             written(Command::DriverTrust(DriverTrustRequest { library, sha256 }))
         }
         Subcommands::Import { file, read, machine, material, output } => {
-            let (output, contents) = place(output, true);
+            let (output, contents) = place(output, true)?;
             let design = design(&DesignArgs { file, read })?;
             let request = ImportRequest { design, machine, material, output };
             Prepared::Command(Box::new(Command::Import(request)), contents)
         }
         Subcommands::Generate(GenerateCommand::Truss { rings, strut, depth, output }) => {
-            let (output, contents) = place(output, true);
+            let (output, contents) = place(output, true)?;
             let shape = GeneratedShape::Truss { rings, strut_mm: strut, depth_mm: depth };
             let request = GenerateRequest { shape, output };
             Prepared::Command(Box::new(Command::Generate(request)), contents)
@@ -67,7 +67,7 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
             plan(&args, chosen, output, &danger, compare, pauses)?
         }
         Subcommands::Export { design: args, choices: chosen, format, settings, output, danger } => {
-            let (output, contents) = place(output, true);
+            let (output, contents) = place(output, true)?;
             let request = ExportRequest {
                 design: design(&DesignArgs { file: args.file, read: args.read })?,
                 choices: choices(chosen)?,
@@ -83,6 +83,10 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
                 return Err(
                     WrongUse("a picture goes to a file: name one after --svg or --png".to_owned()).into()
                 );
+            }
+            if force && svg.is_none() && png.is_none() {
+                let words = "--force replaces pictures: name one after --svg or --png";
+                return Err(WrongUse(words.to_owned()).into());
             }
             let picture = |path: PathBuf| Output { path, force };
             let job = input(&job)?;
@@ -109,7 +113,7 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
         Subcommands::Ports(args) => written(live::ports(args)),
         Subcommands::MachineSettings(args) => written(live::machine_settings(args)),
         Subcommands::Console(args) => written(live::console(args)?),
-        Subcommands::Runs { command } => live::runs(command.unwrap_or(RunsCommand::List)),
+        Subcommands::Runs { command } => live::runs(command.unwrap_or(RunsCommand::List))?,
         Subcommands::Dump { stage, design: args, choices: chosen } => {
             written(Command::Dump(DumpRequest { stage, design: design(&args)?, choices: choices(chosen)? }))
         }
@@ -123,15 +127,8 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
         Subcommands::Profile(ProfileCommand::Revert { id, keys, kind }) => {
             written(Command::ProfileRevert(ProfileRevertRequest { id, kind: kind.kind, keys }))
         }
-        Subcommands::Profile(ProfileCommand::Export {
-            id,
-            kind,
-            alone,
-            output: OutputArgs { output, force },
-        }) => {
-            let file = output.filter(|path| path != Path::new("-"));
-            let contents = if file.is_some() { Contents::Written } else { Contents::StandardOutput };
-            let output = file.map(|path| Output { path, force });
+        Subcommands::Profile(ProfileCommand::Export { id, kind, alone, output }) => {
+            let (output, contents) = place(output, true)?;
             let request = ProfileExportRequest { id, kind: kind.kind, output, alone };
             Prepared::Command(Box::new(Command::ProfileExport(request)), contents)
         }
@@ -200,7 +197,11 @@ fn plan(
         let choices = choices(ChoiceArgs { wires: None, ..chosen })?;
         return written(Command::Wires(WiresRequest { design, choices, from, to }));
     }
-    let (output, contents) = place(output, false);
+    if danger.despite_errors && output.output.is_none() {
+        let words = "--despite-errors is for a job that is written: name its file with -o";
+        return Err(WrongUse(words.to_owned()).into());
+    }
+    let (output, contents) = place(output, false)?;
     let request = PlanRequest {
         design,
         choices: choices(chosen)?,
@@ -214,13 +215,16 @@ fn plan(
 
 /// Where a result goes: to a file, to the standard output for `-`, and without a name to the
 /// standard output where the result is all that the command is for.
-fn place(args: OutputArgs, is_the_point: bool) -> (Option<Output>, Contents) {
-    match args.output {
+fn place(args: OutputArgs, is_the_point: bool) -> Result<(Option<Output>, Contents), WrongUse> {
+    Ok(match args.output {
         Some(path) if path != Path::new("-") => (Some(Output { path, force: args.force }), Contents::Written),
         Some(_) => (None, Contents::StandardOutput),
+        None if args.force => {
+            return Err(WrongUse("--force replaces a file: name it with -o".to_owned()));
+        }
         None if is_the_point => (None, Contents::StandardOutput),
         None => (None, Contents::Written),
-    }
+    })
 }
 
 /// Where a new profile goes: to the person's own folder unless a file is named.

@@ -59,6 +59,42 @@ fn a_name_with_the_end_of_another_kind_of_file_is_noted() {
     ] {
         assert!(noted(machine, format, name).is_empty(), "{name}");
     }
+    for name in ["a.wirebend", "a.wbjob", "a.gltf", "a.csv", "a.json", "a.stl"] {
+        assert_eq!(noted("wirebend-kit", "wirebend-kit-text", name).len(), 1, "{name}");
+    }
+}
+
+/// Another program would say of such a file that it is damaged.
+#[test]
+fn what_this_program_keeps_under_the_name_of_another_kind_is_noted() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("post.obj"), "v 0 0 0\nv 0 0 30\nl 1 2\n").unwrap();
+    let cube = example("cube-8-edges.obj");
+    let truss = ["generate", "truss", "--rings", "1", "--strut", "50"];
+    let sequence =
+        ["sequence", "post.obj", "--units", "mm", "--machine", "framefab-extruder", "--supports", "0"];
+    let frame = ["frame", "post.obj", "--units", "mm", "--material", "steel-1mm", "--supports", "0"];
+    for (command, option, wrong, right) in [
+        (&["import", &cube][..], "-o", &["a.stl", "a.svg", "a.txt"][..], &["a.wirebend", "a.OBJ", "a"][..]),
+        (&truss, "-o", &["b.stl", "b.csv"], &["b.wirebend", "b.obj", "b.json"]),
+        (&["plan", &cube, "-m", "wirebend-kit"], "-o", &["c.stl", "c.wirebend"], &["c.wbjob", "c.json"]),
+        (&sequence, "-o", &["d.wbjob"], &["d.json"]),
+        (&["profile", "export", "steel-1mm"], "-o", &["e.txt"], &["e.json"]),
+        (&frame, "--conmech", &["f.stl"], &["f.json"]),
+        (&frame, "--vtk", &["g.csv"], &["g.vtk"]),
+    ] {
+        for (name, noted) in
+            wrong.iter().map(|&name| (name, true)).chain(right.iter().map(|&name| (name, false)))
+        {
+            let made = run_in(folder.path(), &[command, &[option, name, "--json"]].concat(), b"").ended(0);
+            let notes = made.json()["notes"].as_array().unwrap().clone();
+            assert_eq!(notes.iter().any(|note| note["code"] == "misnamed"), noted, "{name}: {notes:?}");
+            assert!(folder.path().join(name).exists(), "it is what was asked for");
+        }
+    }
+    let said = run_in(folder.path(), &[&truss[..], &["-o", "t.stl"]].concat(), b"").ended(0).err;
+    let note = "note: the name ends in .stl, and what is written is a WireBend project, whose names end in .wirebend or .json\n";
+    assert!(said.contains(note) && said.contains("wrote t.stl"), "{said}");
 }
 
 #[test]

@@ -200,6 +200,41 @@ fn what_is_exported_is_read_back_with_the_same_vertices_and_edges() {
     }
 }
 
+/// Whoever names the machine of a program believes that it is turned back for it.
+#[test]
+fn a_machine_for_which_nothing_is_turned_back_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("by-hand.txt"), "F 60\nB 45\nF 60\n").unwrap();
+    let import = |file: &str, more: &[&str]| {
+        let arguments = [&["import", file, "-o", "read.wirebend", "--force", "--json"], more].concat();
+        run_in(folder.path(), &arguments, b"")
+    };
+    let told = |file: &str, more: &[&str]| {
+        let found = import(file, more).ended(0).json();
+        let notes = found["notes"].as_array().unwrap().iter();
+        notes.filter(|note| note["code"] == "without-effect").cloned().collect::<Vec<_>>()
+    };
+    let (house, bracket) = (example("house.obj"), example("bracket.svg"));
+    let kit = ["-m", "wirebend-kit", "--material", "aluminium-6061-t6-3mm"];
+    for file in [house.as_str(), "by-hand.txt"] {
+        let [note] = &told(file, &kit)[..] else { panic!("it is not told once of {file}") };
+        assert_eq!(note["message"], "what is read is the design itself: machine and material had no effect");
+        let inputs = serde_json::json!(["machine", "material"]);
+        assert_eq!(note["remedies"], serde_json::json!([{"remedy": "leave-out", "inputs": inputs}]));
+    }
+    let said = run_in(folder.path(), &["import", &house, "-m", "wirebend-kit"], b"").ended(0).err;
+    assert!(said.contains("machine had no effect\n  help: leave out --machine\n"), "{said}");
+    // These are read for the machine.
+    assert!(told("by-hand.txt", &[&kit[..], &["--program", "compensated"]].concat()).is_empty());
+    assert!(told(&bracket, &["-m", "wirebend-kit", "--shortest-edge", "machine"]).is_empty());
+    assert!(told(&house, &[]).is_empty());
+    // An id that nobody knows is refused as by every other command.
+    for wrong in [&["-m", "wirebend-kti"][..], &["-m", "wirebend-kit", "--material", "cheese"]] {
+        let refused = import(&house, wrong).ended(2).json();
+        assert_eq!(refused["error"]["code"], "profile-unknown", "{refused}");
+    }
+}
+
 /// A job has its machine and its wire: others beside it would be passed over.
 #[test]
 fn a_job_is_run_with_no_other_machine_and_no_other_wire() {

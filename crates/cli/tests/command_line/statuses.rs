@@ -104,6 +104,12 @@ fn a_reader_that_has_enough_is_no_failure() {
     drop(child.stdout.take());
     let done = child.wait_with_output().unwrap();
     assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
+    for arguments in [&["--help"][..], &["plan", "--help"], &["--version"], &["man"]] {
+        let (unread, output) = std::io::pipe().unwrap();
+        drop(unread);
+        let done = Command::new(wirebend()).args(arguments).stdout(output).output().unwrap();
+        assert_eq!(done.status.code(), Some(0), "{arguments:?}: {}", String::from_utf8_lossy(&done.stderr));
+    }
 }
 
 #[test]
@@ -148,7 +154,13 @@ fn options_that_would_have_no_effect_are_refused() {
     run(&["import", &example("u-sample.obj"), "-o", "u.wirebend"]).ended(0);
     run(&["plan", "u.wirebend", "-m", "wirebend-kit", "-o", "u.wbjob"]).ended(0);
     run(&["plan", "u.wirebend", "-m", "wirebend-kit", "--scale", "10"]).ended(2);
-    for options in [&["--material", "steel-3mm"][..], &["--start", "3"], &["--closed"], &["--scale", "2"]] {
+    for options in [
+        &["--material", "steel-3mm"][..],
+        &["--start", "3"],
+        &["--closed"],
+        &["--scale", "2"],
+        &["--from", "obj"],
+    ] {
         run(&[&["export", "u.wbjob"], options].concat()).ended(2);
     }
     run(&["export", "u.wbjob", "--material", "aluminium-6061-t6-3mm"]).ended(0);
@@ -159,6 +171,35 @@ fn options_that_would_have_no_effect_are_refused() {
         .ended(2);
     run(&["simulate", "u.wirebend"]).ended(2);
     run(&["check", "u.wbjob", "-m", "wirebend-kit"]).ended(2);
+    let said = run(&["frame", "u.wirebend", "--material", "steel-1mm", "--pieces", "3"]).ended(2).err;
+    assert!(said.contains("--modes"), "{said}");
+}
+
+/// Whoever lets a file be replaced, or a job be written, believes that it is written.
+#[test]
+fn what_is_said_of_a_file_needs_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    let cube = example("cube-8-edges.obj");
+    run(&["plan", &cube, "-m", "wirebend-kit", "-o", "a.wbjob"]).ended(0);
+    for (command, option) in [
+        (&["import", &cube][..], "-o"),
+        (&["generate", "truss", "--rings", "1", "--strut", "50"], "-o"),
+        (&["plan", &cube, "-m", "wirebend-kit"], "-o"),
+        (&["export", "a.wbjob"], "-o"),
+        (&["profile", "export", "steel-1mm"], "-o"),
+        (&["runs", "export", "3f2a"], "-o"),
+        (&["simulate", "a.wbjob"], "--svg"),
+        (&["frame", &cube, "--material", "steel-1mm"], "--vtk"),
+        (&["sequence", &cube, "--machine", "framefab-extruder"], "--output"),
+        (&["run", "a.wbjob"], "--record"),
+        (&["jog", "-m", "wirebend-kit", "f", "1"], "--record"),
+    ] {
+        let said = run(&[command, &["--force"]].concat()).ended(2).err;
+        assert!(said.contains(option), "{command:?}: {said}");
+    }
+    let said = run(&["plan", &cube, "-m", "wirebend-kit", "--despite-errors"]).ended(2).err;
+    assert!(said.contains("-o"), "{said}");
 }
 
 #[test]

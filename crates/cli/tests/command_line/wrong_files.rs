@@ -90,6 +90,38 @@ fn a_surface_without_lines_says_how_to_get_some() {
     let ran = run_in(folder.path(), &["plan", "face.obj", "--machine", "wirebend-kit"], b"").ended(3);
     assert!(ran.err.contains("--face-edges"), "{}", ran.err);
     run_in(folder.path(), &["plan", "face.obj", "--face-edges", "--machine", "wirebend-kit"], b"").ended(0);
+    // A document is taken as it is, and refuses the option.
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    run(&["import", "face.obj", "-o", "face.wirebend"]).ended(0);
+    for command in [
+        &["plan", "face.wirebend", "-m", "wirebend-kit"][..],
+        &["check", "face.wirebend"],
+        &["frame", "face.wirebend", "--material", "steel-1mm"],
+        &["sequence", "face.wirebend", "--machine", "framefab-extruder"],
+    ] {
+        let said = run(command).ended(3).err;
+        assert!(said.contains("help: import its model again with --face-edges"), "{command:?}: {said}");
+    }
+    let said = run(&["import", "face.wirebend", "-o", "again.wirebend"]).ended(0).err;
+    assert!(said.contains("help: import its model again with --face-edges"), "{said}");
+}
+
+/// There are no faces whose edges could be taken.
+#[test]
+fn nothing_at_all_is_not_answered_with_the_edges_of_faces() {
+    let folder = tempfile::tempdir().unwrap();
+    let empty = r#"{"format": "wirebend", "version": 1, "wireframe": {"next_vertex": 1, "next_edge": 0,
+        "vertices": [{"id": 0, "at_mm": [0, 0, 0]}], "edges": []}}"#;
+    std::fs::write(folder.path().join("empty.wirebend"), empty).unwrap();
+    for command in [
+        &["plan", "empty.wirebend", "-m", "wirebend-kit"][..],
+        &["check", "empty.wirebend"],
+        &["frame", "empty.wirebend", "--material", "steel-1mm"],
+        &["sequence", "empty.wirebend", "--machine", "framefab-extruder"],
+    ] {
+        let said = run_in(folder.path(), command, b"").ended(4).err;
+        assert!(said.contains("draw edges") && !said.contains("faces"), "{command:?}: {said}");
+    }
 }
 
 #[test]

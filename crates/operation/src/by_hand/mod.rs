@@ -27,6 +27,7 @@ use wirebend_error::ProblemReport;
 use wirebend_planning::Installation;
 use wirebend_planning::design::Input;
 use wirebend_planning::job::SimulatedAs;
+use wirebend_planning::misnamed::MOVES;
 use wirebend_planning::output::Output;
 use wirebend_planning::report::NoteReport;
 
@@ -137,7 +138,10 @@ pub fn jog(
         } else {
             let file = MovesFile::new(&machine, response.made.clone())?;
             match output.save_or_note(&file.to_bytes()?) {
-                Ok(path) => response.output = Some(path),
+                Ok(path) => {
+                    response.output = Some(path);
+                    response.notes.extend(MOVES.misnamed(Some(output)));
+                }
                 Err(note) => response.notes.push(note),
             }
         }

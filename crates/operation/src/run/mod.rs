@@ -28,6 +28,7 @@ pub use task::Task;
 use wirebend_planning::Installation;
 use wirebend_planning::design::Input;
 use wirebend_planning::job::SimulatedAs;
+use wirebend_planning::misnamed::RECORD;
 use wirebend_planning::output::Output;
 
 /// What to run. Nothing moves unless the user confirms it: here, or when they are asked.
@@ -89,9 +90,13 @@ pub fn run(
     progress: &dyn FrontEnd,
 ) -> Result<RunResponse, OperationError> {
     let task = Task::open(app, request.clone(), progress)?;
-    match request.how {
+    let mut response = match request.how {
         RunHow::Begin => task.begin(),
         RunHow::Resume { decided } => task.resume(decided),
         RunHow::Abandon => task.abandon(),
+    }?;
+    if !response.files.is_empty() {
+        response.notes.extend(RECORD.misnamed(request.record.as_ref()));
     }
+    Ok(response)
 }

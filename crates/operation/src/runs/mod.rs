@@ -13,7 +13,9 @@ use crate::OperationError;
 pub use folder::{RunsFolder, StoredRun, record_bytes};
 use wirebend_driver_host::jobs::Piece;
 use wirebend_planning::Installation;
+use wirebend_planning::misnamed::RECORD;
 use wirebend_planning::output::Output;
+use wirebend_planning::report::NoteReport;
 
 /// Asks for the records of what was bent.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
@@ -90,6 +92,8 @@ pub struct RunsExportRequest {
 pub struct RunsExportResponse {
     pub id: String,
     pub output: Option<PathBuf>,
+    /// What a person should know.
+    pub notes: Vec<NoteReport>,
     /// The contents, where they were not written.
     #[serde(skip)]
     pub contents: Vec<u8>,
@@ -130,11 +134,12 @@ pub fn export(
     request.output.as_ref().map_or(Ok(()), Output::check)?;
     let (id, _, record) = found(app, &request.id)?;
     let contents = record_bytes(&record)?;
+    let notes = RECORD.misnamed(request.output.as_ref()).into_iter().collect();
     Ok(match &request.output {
         Some(output) => {
-            RunsExportResponse { id, output: Some(output.save(&contents)?), contents: Vec::new() }
+            RunsExportResponse { id, output: Some(output.save(&contents)?), notes, contents: Vec::new() }
         }
-        None => RunsExportResponse { id, output: None, contents },
+        None => RunsExportResponse { id, output: None, notes, contents },
     })
 }
 

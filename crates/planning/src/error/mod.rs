@@ -20,6 +20,7 @@ use wirebend_profile::{Kind, ProfileError};
 
 pub use driver::DriverProblem;
 pub use kind::ErrorKind;
+pub(crate) use remedies::edges_of_faces;
 pub use stencil::StencilFileError;
 
 use crate::report::PlanReport;
@@ -194,7 +195,7 @@ pub enum PlanningError {
     },
     /// The input has a surface but no wireframe.
     #[error("{name} holds a surface and no lines")]
-    OnlyStencil { name: String },
+    OnlyStencil { name: String, format: Format },
     /// The wireframe has no vertex of this id.
     #[error("there is no vertex {vertex} in {name}: its {count} vertices are numbered {range}")]
     NoVertex {
@@ -351,7 +352,7 @@ fn kind_words(kinds: &[Kind]) -> String {
 }
 
 /// "scale and tolerance".
-fn input_words(inputs: &[InputName]) -> String {
+pub(crate) fn input_words(inputs: &[InputName]) -> String {
     let words: Vec<&str> = inputs.iter().map(|input| input.words()).collect();
     match words.split_last() {
         Some((last, before)) if !before.is_empty() => format!("{} and {last}", before.join(", ")),

@@ -4,6 +4,7 @@ use wirebend_accuracy::ClosingError;
 use wirebend_core::calibrate::CalibrationError;
 use wirebend_driver_host::advice_of;
 use wirebend_error::{ErrorRemedy, InputName};
+use wirebend_files::read::Format;
 
 use super::{DriverProblem, PlanningError, StencilFileError};
 
@@ -61,7 +62,7 @@ impl PlanningError {
             }
             Self::OpenParent { complete, .. } => vec![R::InheritFrom { ids: complete.clone() }],
             Self::NoMachine { known } => vec![R::ChooseMachine { known: known.clone() }],
-            Self::OnlyStencil { .. } => vec![R::TakeFaceEdges, R::TraceSurface],
+            Self::OnlyStencil { format, .. } => vec![edges_of_faces(*format), R::TraceSurface],
             Self::NoVertex { input, .. } => vec![R::CorrectInput { input: *input }],
             Self::StartWithoutEdge { .. } => vec![R::CorrectInput { input: InputName::Start }],
             Self::UnknownFormat { known, missing, .. } => {
@@ -100,6 +101,14 @@ impl PlanningError {
             Self::Exists(path) => vec![R::ChooseOtherFile, R::Overwrite { path: path.clone() }],
             Self::Stopped | Self::Picture(_) | Self::Json(_) => Vec::new(),
         }
+    }
+}
+
+/// How the edges of faces become a wireframe: a document is taken as it is.
+pub(crate) const fn edges_of_faces(format: Format) -> ErrorRemedy {
+    match format {
+        Format::Wirebend => ErrorRemedy::ImportFaceEdges,
+        _ => ErrorRemedy::TakeFaceEdges,
     }
 }
 

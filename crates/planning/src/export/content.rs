@@ -189,6 +189,7 @@ impl Content {
         let searches =
             *avoid_collisions || search_effort.is_some() || search_seed.is_some() || search_weights.is_some();
         let given = [
+            (InputName::Format, request.design.format.is_some()),
             (InputName::Material, other_material),
             (InputName::Double, *double),
             (InputName::Detours, *detours),

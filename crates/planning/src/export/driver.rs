@@ -50,10 +50,15 @@ impl Installation {
         }
     }
 
-    /// The formats that there are, with those of drivers.
-    pub fn formats(&self) -> Result<Vec<String>, DriverProblem> {
+    /// The formats that there are for a machine with this driver: of what is for one machine alone, those of its driver. Absent: all.
+    pub fn formats(&self, own: Option<&str>) -> Result<Vec<String>, DriverProblem> {
         let mut known = built_in();
-        self.all_drivers()?.flatten().for_each(|driver| known.extend(formats(driver.description())));
+        for driver in self.all_drivers()?.flatten() {
+            let description = driver.description();
+            let is_own = own.is_none_or(|own| own == description.id);
+            let can_be = |format: &&FormatDescription| is_own || format.content == Content::Design;
+            known.extend(description.formats.iter().filter(can_be).map(|format| format.id.clone()));
+        }
         Ok(known)
     }
 }

@@ -199,3 +199,20 @@ impl Chosen {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Output;
+    use crate::misnamed::FileKind;
+
+    /// A program under the name of a picture or a model is taken for one.
+    #[test]
+    fn no_program_has_the_name_of_what_is_written_without_a_driver() {
+        let program = FileKind { called: "'gcode'", endings: &["nc"] };
+        for format in ExportFormat::ALL {
+            let output = Output { path: format!("a.{}", format.extension()).into(), force: false };
+            assert!(program.misnamed_program(Some(&output)).is_some(), "{}", format.id());
+        }
+    }
+}

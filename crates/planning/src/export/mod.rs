@@ -22,6 +22,7 @@ use wirebend_files::write;
 use crate::choices::PlanChoices;
 use crate::design::DesignInput;
 use crate::machine::Setup;
+use crate::misnamed::FileKind;
 use crate::output::Output;
 use crate::picture::{self, Caption};
 use crate::report::{NoteReport, SHOWN_AS_ZERO};
@@ -97,7 +98,7 @@ pub fn export(
         content.notes.extend(pauses_not_carried(&content, chosen.id()));
     }
     // It is of the file, and not of what is in it.
-    let misnamed = request.output.as_ref().and_then(|output| misnamed(&output.path, &chosen));
+    let misnamed = misnamed(request.output.as_ref(), &chosen);
     let (format, driver) = (chosen.id().to_owned(), chosen.driver_id().map(str::to_owned));
     let contents = match chosen {
         Chosen::BuiltIn(format) => {
@@ -131,23 +132,10 @@ pub fn export(
     })
 }
 
-/// A name whose end is that of another kind of file: whoever opens it is told that it is damaged. What programs of machines are called is
-/// up to the person.
-fn misnamed(path: &Path, chosen: &Chosen) -> Option<NoteReport> {
-    let named = path.extension()?.to_str()?.to_lowercase();
-    let usual = chosen.extensions();
-    let is_of_another = ExportFormat::ALL.iter().any(|format| format.extension() == named);
-    let is_wrong = !usual.contains(&named.as_str()) && (is_of_another || !chosen.is_program());
-    is_wrong.then(|| NoteReport {
-        code: "misnamed".into(),
-        count: 1,
-        message: format!(
-            "the name ends in .{named}, and what is written is '{}', whose names end in .{}",
-            chosen.id(),
-            usual.join(" or .")
-        ),
-        remedies: Vec::new(),
-    })
+fn misnamed(output: Option<&Output>, chosen: &Chosen) -> Option<NoteReport> {
+    let (called, endings) = (format!("'{}'", chosen.id()), chosen.extensions());
+    let kind = FileKind { called: &called, endings: &endings };
+    if chosen.is_program() { kind.misnamed_program(output) } else { kind.misnamed(output) }
 }
 
 /// Programs count the head's turns from where it stands, and its cables have an end.

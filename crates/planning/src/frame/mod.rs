@@ -257,12 +257,7 @@ fn going_on(progress: &dyn Progress) -> Result<(), PlanningError> {
 
 fn nothing_to_compute() -> Diagnostic {
     let (location, fact) = (Location::default(), Fact::NoEdges);
-    Diagnostic {
-        severity: Severity::Error,
-        location,
-        fact,
-        remedies: vec![Remedy::DrawEdges, Remedy::TakeFaceEdges],
-    }
+    Diagnostic { severity: Severity::Error, location, fact, remedies: vec![Remedy::DrawEdges] }
 }
 
 /// The file of a frame says what its struts are, and its wires are bent of another.

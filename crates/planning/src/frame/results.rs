@@ -22,6 +22,7 @@ use super::report::StaticReport;
 use super::structure::Structure;
 use crate::PlanningError;
 use crate::design::Opened;
+use crate::misnamed::FileKind;
 use crate::output::{Output, file_name};
 use crate::report::NoteReport;
 
@@ -50,6 +51,10 @@ impl Default for FrameFiles {
         Self { vtk: None, csv: None, conmech: None, glb: None, displacement_scale: true_scale() }
     }
 }
+
+const VTK: FileKind<'static> = FileKind { called: "a VTK file", endings: &["vtk"] };
+const CONMECH: FileKind<'static> = FileKind { called: "a frame for conmech", endings: &["json"] };
+const GLB: FileKind<'static> = FileKind { called: "a binary glTF model", endings: &["glb"] };
 
 /// The files that were asked for.
 pub(super) struct Wanted<'a> {
@@ -117,6 +122,7 @@ impl<'a> Wanted<'a> {
         let mut files = Vec::new();
         if let Some(output) = self.vtk {
             files.push(output.save(vtk(&result).as_bytes())?);
+            notes.extend(VTK.misnamed(Some(output)));
         }
         if let Some([nodes, members]) = &self.csv {
             files.push(nodes.save(nodes_csv(&result).as_bytes())?);
@@ -125,12 +131,14 @@ impl<'a> Wanted<'a> {
         if let Some([frame, loads]) = &self.conmech {
             files.push(frame.save(frame_text(opened, structure, material, &title).as_bytes())?);
             files.push(loads.save(loads_text(opened, structure, load).as_bytes())?);
+            notes.extend(CONMECH.misnamed(Some(frame)));
             notes.extend(joints_as_forces(structure));
             notes.extend(without_yield(structure));
         }
         if let Some(output) = self.glb {
             files.push(output.save(&deformed_glb(&deformed(structure, load, response), self.scale))?);
             notes.extend(drawn_round(structure, material));
+            notes.extend(GLB.misnamed(Some(output)));
         }
         Ok(files)
     }

@@ -15,7 +15,7 @@ use std::time::Instant;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::checks::{Design, Diagnostic, check_design};
+use wirebend_core::checks::{Design, Diagnostic, Remedy, check_design};
 use wirebend_core::plan::{WirePlan, name_closing_bends};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::Component;
@@ -24,6 +24,7 @@ use wirebend_files::document::{Job, JobContents, JobPause, JobStep, JobWire, Pro
 use crate::choices::PlanChoices;
 use crate::design::{DesignInput, Opened};
 use crate::machine::Setup;
+use crate::misnamed;
 use crate::output::Output;
 use crate::pauses::{PlannedPauses, StepPause};
 use crate::report::{DiagnosticReport, NoteReport, PlanReport, WireReport};
@@ -148,12 +149,19 @@ impl Installation {
 
 /// What is said of a design before any machine is asked, for a wire so thick.
 fn checked_design(opened: &Opened, components: &[Component], diameter: Length) -> Vec<Diagnostic> {
-    check_design(&Design {
+    let mut found = check_design(&Design {
         wireframe: &opened.document.wireframe,
         components,
         weld_tolerance: crate::design::default_weld(),
         diameter,
-    })
+    });
+    if opened.document.stencils.is_empty() {
+        // There is no face whose edges could be taken.
+        for finding in &mut found {
+            finding.remedies.retain(|remedy| *remedy != Remedy::TakeFaceEdges);
+        }
+    }
+    found
 }
 
 impl Planned {
@@ -264,7 +272,10 @@ pub fn plan(
         let job = planned.job()?.ok_or_else(unreached)?;
         let hash = Some(job.hash().to_owned());
         made = match &request.output {
-            Some(output) => (Some(output.save(&job.to_bytes()?)?), hash, Vec::new()),
+            Some(output) => {
+                planned.opened.notes.extend(misnamed::JOB.misnamed(Some(output)));
+                (Some(output.save(&job.to_bytes()?)?), hash, Vec::new())
+            }
             None => (None, hash, job.to_bytes()?),
         };
     }

@@ -70,7 +70,10 @@ impl Installation {
         };
         let mut notes = Vec::new();
         let id = profile.driver.id.as_deref().unwrap_or_default();
-        match self.driver(id) {
+        let started = self.driver(id);
+        // It is not known what a driver would write that is not here.
+        let writes = started.is_ok().then_some(id);
+        match started {
             Ok(driver) => {
                 let settings = Value::Object(profile.driver.settings.clone().unwrap_or_default());
                 match driver.open(&settings) {
@@ -84,16 +87,17 @@ impl Installation {
             }
             Err(error) => notes.push(format!("its driver.settings were not checked: {error}")),
         }
-        // What a parent has set is the parent's affair.
         let own = |key: &str| machine.origin(key).is_some_and(|origin| origin.id == checked.id);
-        let listed = profile.export.formats.iter().flatten().filter(|_| own("export.formats"));
-        let native = profile.export.native.iter().filter(|_| own("export.native"));
+        // What a parent has set is the parent's affair, unless it was for another driver.
+        let asked = |key: &str| own(key) || own("driver.id");
+        let listed = profile.export.formats.iter().flatten().filter(|_| asked("export.formats"));
+        let native = profile.export.native.iter().filter(|_| asked("export.native"));
         let named = listed.map(|id| ("export.formats", id)).chain(native.map(|id| ("export.native", id)));
         let foreign: Vec<_> = named.filter(|(_, id)| ExportFormat::from_id(id).is_none()).collect();
         if foreign.is_empty() {
             return Ok(notes);
         }
-        let known = match self.formats() {
+        let known = match self.formats(writes) {
             Ok(known) => known,
             Err(error) => {
                 notes.push(format!("its formats were not checked: {error}"));
@@ -101,13 +105,12 @@ impl Installation {
             }
         };
         match foreign.into_iter().find(|(_, id)| !known.contains(id)) {
-            // It is not known what a driver would write that is not here.
             Some(("export.native", format)) if !notes.is_empty() => {
                 notes.push(format!("its export.native '{format}' was not checked"));
                 Ok(notes)
             }
             Some((key, format)) => {
-                let expected = format!("formats that can be written: {}", known.join(", "));
+                let expected = format!("formats that can be written for this machine: {}", known.join(", "));
                 Err(rule(key, format, format!("\"{format}\""), expected))
             }
             None => Ok(notes),

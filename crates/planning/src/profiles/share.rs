@@ -12,7 +12,9 @@ use wirebend_files::read::read_file;
 use wirebend_profile::{Kind, Listing, ProfileError};
 
 use super::own::OwnProfile;
+use crate::misnamed::PROFILE;
 use crate::output::Output;
+use crate::report::NoteReport;
 use crate::{Installation, PlanningError, Progress};
 
 /// The key under which such a file has the other profiles.
@@ -39,6 +41,8 @@ pub struct ProfileExportResponse {
     pub file: Option<PathBuf>,
     /// Other profiles that are in the file.
     pub with: Vec<SharedProfile>,
+    /// What a person should know.
+    pub notes: Vec<NoteReport>,
     /// Its text, where it was not written to a file.
     #[serde(skip)]
     pub contents: Vec<u8>,
@@ -92,7 +96,8 @@ pub fn export_profile(
         None => (None, text.into_bytes()),
     };
     let with = named.into_iter().map(|(kind, id)| SharedProfile { kind, id }).collect();
-    Ok(ProfileExportResponse { id: request.id.clone(), kind, file, with, contents })
+    let notes = PROFILE.misnamed(request.output.as_ref()).into_iter().collect();
+    Ok(ProfileExportResponse { id: request.id.clone(), kind, file, with, notes, contents })
 }
 
 /// `profile import`.

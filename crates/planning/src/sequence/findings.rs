@@ -19,7 +19,7 @@ pub(super) fn no_structure(opened: &Opened, why: &StructureError) -> Vec<Diagnos
     let wireframe = &opened.document.wireframe;
     match why {
         StructureError::NoEdges => {
-            vec![error(Location::default(), Fact::NoEdges, vec![Remedy::DrawEdges, Remedy::TakeFaceEdges])]
+            vec![error(Location::default(), Fact::NoEdges, vec![Remedy::DrawEdges])]
         }
         StructureError::NoSupport => {
             let fact = Fact::FrameUnsupported { edges: wireframe.edge_count(), whole: true };

@@ -184,6 +184,7 @@ fn run(
         if let Some(output) = request.output.as_ref().filter(|_| response.feasible) {
             let text = write::text(request.format, &response, None, &opened, &setup.material)?;
             response.files.push(output.save(text.as_bytes())?);
+            response.notes.extend(request.format.kind().misnamed(Some(output)));
         }
         drawing.moves(&structure, &response, None);
         return Ok((response, drawing));
@@ -207,6 +208,7 @@ fn run(
     if let Some(output) = request.output.as_ref().filter(|_| response.feasible) {
         let text = write::text(request.format, &response, Some((&task, &outcome)), &opened, &setup.material)?;
         response.files.push(output.save(text.as_bytes())?);
+        response.notes.extend(request.format.kind().misnamed(Some(output)));
     }
     drawing.moves(&structure, &response, Some(&outcome));
     Ok((response, drawing))

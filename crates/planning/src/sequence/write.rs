@@ -15,6 +15,7 @@ use super::report::{SequenceResponse, SequenceStepReport};
 use crate::PlanningError;
 use crate::design::Opened;
 use crate::frame::{FrameMaterial, built_result};
+use crate::misnamed::FileKind;
 
 /// What a sequence is written as.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
@@ -29,6 +30,17 @@ pub enum SequenceFormat {
     AssemblyInstances,
     /// The frame under its own weight with the step of each strut, for programs that show VTK files.
     Vtk,
+}
+
+impl SequenceFormat {
+    pub(super) const fn kind(self) -> FileKind<'static> {
+        match self {
+            Self::Wirebend => FileKind { called: "a sequence", endings: &["json"] },
+            Self::Framefab => FileKind { called: "a sequence of FrameFab", endings: &["json"] },
+            Self::AssemblyInstances => FileKind { called: "assembly instances", endings: &["json"] },
+            Self::Vtk => FileKind { called: "a VTK file", endings: &["vtk"] },
+        }
+    }
 }
 
 /// Refuses before any work is done what would be refused in the end. `checked`: the order is given.

@@ -137,18 +137,18 @@ fn a_builder_that_contradicts_itself_is_refused() {
         "mine.json",
         &text,
         expect![[r#"
-        profile-rule: mine.json:1: speed.strut_mm_per_s is 0, expected a value above 0 [CorrectProfile]
-        profile-rule: mine.json:1: speed.travel_mm_per_s is -5, expected a value above 0 [CorrectProfile]
-        profile-rule: mine.json:1: approach_deg.create is -1, expected a value between 0 and 180 [CorrectProfile]
-        profile-rule: mine.json:1: approach_deg.connect is 181, expected a value between 0 and 180 [CorrectProfile]
-        profile-rule: mine.json:1: position_tolerance_mm is -0.1, expected 0 or more [CorrectProfile]
-        profile-rule: mine.json:1: clearance_mm is -1, expected 0 or more [CorrectProfile]
-        profile-rule: mine.json:1: pause_per_joint_s is -1, expected 0 or more [CorrectProfile]
-        profile-rule: mine.json:1: directions.step_deg is 25, expected a divisor of 180 between 1 and 90 [CorrectProfile]
-        profile-rule: mine.json:1: workspace.source is an empty text, expected where the dimensions come from, or why they are an estimate [CorrectProfile]
-        profile-rule: mine.json:1: workspace.max_mm is 0, expected above the lower bound, 0 [CorrectProfile]
-        profile-unknown-reference: mine.json:1: default_material names the unknown material `abs` [ChooseKnown { near: ["abs-1-5mm"], known: ["abs-1-5mm", "aluminium-3-175mm", "aluminium-6061-o-3mm", "aluminium-6061-t6-3mm", "brass-1-6mm", "copper-2mm", "pla-3mm", "steel-0-9mm", "steel-1010", "steel-1mm", "steel-3mm"] }]
-    "#]],
+            profile-rule: mine.json:1: speed.strut_mm_per_s is 0, expected a value above 0 [CorrectProfile]
+            profile-rule: mine.json:1: speed.travel_mm_per_s is -5, expected a value above 0 [CorrectProfile]
+            profile-rule: mine.json:1: approach_deg.create is -1, expected a value between 0 and 180 [CorrectProfile]
+            profile-rule: mine.json:1: approach_deg.connect is 181, expected a value between 0 and 180 [CorrectProfile]
+            profile-rule: mine.json:1: position_tolerance_mm is -0.1, expected 0 or more [CorrectProfile]
+            profile-rule: mine.json:1: clearance_mm is -1, expected 0 or more [CorrectProfile]
+            profile-rule: mine.json:1: pause_per_joint_s is -1, expected 0 or more [CorrectProfile]
+            profile-rule: mine.json:1: directions.step_deg is 25, expected a divisor of 180 between 1 and 90 [CorrectProfile]
+            profile-rule: mine.json:1: workspace.source is an empty text, expected where the dimensions come from, or why they are an estimate [CorrectProfile]
+            profile-rule: mine.json:1: workspace.max_mm is 0, expected above the lower bound, 0 [CorrectProfile]
+            profile-unknown-reference: mine.json:1: default_material names the unknown material `abs` [ChooseKnown { near: ["abs-1-5mm"], known: ["abs-1-5mm", "aluminium-3-175mm", "aluminium-6061-o-3mm", "aluminium-6061-t6-3mm", "brass-1-6mm", "copper-2mm", "pla-3mm", "steel-0-9mm", "steel-1mm", "steel-3mm"] }]
+        "#]],
     );
     for step in [0.0, -18.0, 0.5, 180.0, 7.0] {
         let change = json!({"step_deg": figure(step)});

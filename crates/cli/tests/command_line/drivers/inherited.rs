@@ -22,6 +22,24 @@ fn a_native_format_that_nobody_writes_is_refused() {
     assert!(home.run(&["profile", "check", "a.json"]).ended(3).err.contains("no-such-format"));
 }
 
+/// It is known to another driver, which does not write it for a machine of this one. A table is for every machine.
+#[test]
+fn a_format_that_only_another_driver_writes_is_refused() {
+    let home = Home::new();
+    for (rest, status) in [
+        (r#""export": {"native": "pensa-script"}"#, 3),
+        (r#""export": {"formats": ["svg", "pensa-script"]}"#, 3),
+        (r#""export": {"native": "gcode", "formats": ["svg", "lra-csv"]}"#, 0),
+        // The format of the parent was for the driver of the parent.
+        (r#""driver": {"id": "pensa"}"#, 3),
+        (r#""driver": {"id": "pensa"}, "export": {"native": "pensa-script"}"#, 0),
+    ] {
+        write(&home, "a.json", &format!(r#""id": "a", "inherits": "grbl-bender", {rest}"#));
+        let said = home.run(&["profile", "check", "a.json"]).ended(status).err;
+        assert_eq!(said.contains("a.json:") && said.contains("for this machine"), status == 3, "{said}");
+    }
+}
+
 /// A child gives some settings and its parent the others: what is checked is what an export gets.
 #[test]
 fn settings_are_checked_as_they_are_inherited() {

@@ -39,6 +39,21 @@ fn moves_are_made_recorded_and_replayed() {
     jog(&shop, &["--yes", "--record", "a.wbmoves", "f", "1"]).ended(2);
 }
 
+/// Another program would say of such a file that it is damaged.
+#[test]
+fn recordings_under_the_name_of_another_kind_are_noted() {
+    let shop = Shop::cube();
+    let note =
+        |ending: &str, what: &str| format!("note: the name ends in .{ending}, and what is written is {what}");
+    let said = shop.make(&["--yes", "--record", "a.svg"]).ended(0).err;
+    assert!(said.contains(&note("svg", "the record of a wire")), "{said}");
+    let id = shop.list()[0]["id"].as_str().unwrap().to_owned();
+    let said = shop.run(&["runs", "export", &id, "-o", "b.stl"]).ended(0).err;
+    assert!(said.contains(&note("stl", "the record of a wire")), "{said}");
+    let said = jog(&shop, &["--yes", "--record", "a.txt", "f", "1"]).ended(0).err;
+    assert!(said.contains(&note("txt", "recorded moves")), "{said}");
+}
+
 #[test]
 fn a_dry_run_makes_the_moves_of_one_wire() {
     let shop = Shop::cube();

@@ -1,7 +1,7 @@
 //! Profiles that do not fit the others.
 
 use expect_test::expect;
-use wirebend_profile::{Kind, Library, check_file};
+use wirebend_profile::{Kind, Library, check_file, check_text};
 
 use crate::refusals::{child, figure, messages, refuse, refuse_folder};
 
@@ -52,10 +52,26 @@ fn other_profiles_that_are_named_must_exist() {
         "mine.json",
         &text,
         expect![[r#"
-            profile-unknown-reference: mine.json:6: default_material names the unknown material `steel` [ChooseKnown { near: ["steel-1mm", "steel-3mm", "steel-1010"], known: ["abs-1-5mm", "aluminium-3-175mm", "aluminium-6061-o-3mm", "aluminium-6061-t6-3mm", "brass-1-6mm", "copper-2mm", "pla-3mm", "steel-0-9mm", "steel-1010", "steel-1mm", "steel-3mm"] }]
+            profile-unknown-reference: mine.json:6: default_material names the unknown material `steel` [ChooseKnown { near: ["steel-1mm", "steel-3mm", "steel-0-9mm"], known: ["abs-1-5mm", "aluminium-3-175mm", "aluminium-6061-o-3mm", "aluminium-6061-t6-3mm", "brass-1-6mm", "copper-2mm", "pla-3mm", "steel-0-9mm", "steel-1mm", "steel-3mm"] }]
             profile-unknown-reference: mine.json:7: error names the unknown noise `nope` [ChooseKnown { near: ["none"], known: ["bend-forming", "none", "wirebend-kit"] }]
         "#]],
     );
+}
+
+/// Every command that takes the machine with its own wire would be refused.
+#[test]
+fn a_profile_that_is_named_must_be_one_that_can_be_used() {
+    let text = child("\"default_material\": \"steel-1010\"");
+    refuse(
+        "mine.json",
+        &text,
+        expect![[r#"
+            profile-abstract: mine.json:6: default_material names the material `steel-1010`, which is abstract and cannot be used itself [ChooseKnown { near: ["steel-1mm", "steel-0-9mm", "steel-3mm"], known: ["abs-1-5mm", "aluminium-3-175mm", "aluminium-6061-o-3mm", "aluminium-6061-t6-3mm", "brass-1-6mm", "copper-2mm", "pla-3mm", "steel-0-9mm", "steel-1mm", "steel-3mm"] }]
+        "#]],
+    );
+    // What is abstract itself leaves that to its children.
+    let family = child("\"abstract\": true,\n\"default_material\": \"steel-1010\"");
+    check_text("mine.json", &family).unwrap();
 }
 
 /// Whichever end of the range the child sets, the child's line is at fault.
@@ -132,6 +148,9 @@ fn an_unknown_id_is_answered_with_the_nearest_and_the_known() {
         profile-unknown: no noise has the id `zzz` [ChooseKnown { near: [], known: ["bend-forming", "none", "wirebend-kit"] }]
     "#]]
     .assert_eq(&messages(&[machine, noise]));
+    // The abstract `steel-1010` is for others to inherit from, and no help to whoever looks for a wire.
+    let material = messages(&[library.material("zzz").unwrap_err()]);
+    assert!(material.contains("steel-1mm") && !material.contains("steel-1010"), "{material}");
     let (near, far) = (library.kinds("pensa").unwrap_err(), library.kinds("zzz").unwrap_err());
     // Of every kind, each id once.
     let all = [
