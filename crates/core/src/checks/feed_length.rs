@@ -1,6 +1,6 @@
 //! Feeds after compensation: too short to grip, arcs that overlap, longer than the machine or its stock allows.
 
-use super::{Diagnostic, Fact, Remedy, Severity, Sourced, WireStages, is_near};
+use super::{Diagnostic, Fact, ROUNDING, Remedy, Severity, Sourced, WireStages, is_near};
 use crate::compensate::{BendError, corner, with_bend_before};
 use crate::units::{Angle, Length};
 
@@ -15,7 +15,7 @@ pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
         // Bends have a radius on every machine, also on one that compensates for it by itself.
         let corner = |bend: Angle| corner(wire.bend_radius, bend);
         let straight = designed.feed - corner(before) - corner(designed.bend);
-        if straight < Length::ZERO {
+        if straight.mm() < -ROUNDING {
             found.push(Diagnostic {
                 severity: Severity::Error,
                 location: wire.location_of_step(step),
@@ -39,12 +39,12 @@ fn judge(wire: &WireStages, step: usize, designed: Length, feed: Length, found: 
     let room = (feed - limits.min_feed.value).mm();
     // What the machine is told is limited there, not the wire that comes of it.
     let commanded = wire.compensation.motion.commanded(feed);
-    let longest = limits.max_feed.as_ref().filter(|longest| commanded > longest.value);
+    let longest = limits.max_feed.as_ref().filter(|longest| is_beyond(commanded, longest));
     let usable_stock = limits
         .max_stock
         .as_ref()
         .map(|stock| Sourced { value: stock.value - limits.tail.value, source: stock.source.clone() });
-    let (severity, fact, remedies) = if room < 0.0 {
+    let (severity, fact, remedies) = if room < -ROUNDING {
         let limit = limits.min_feed.clone();
         let by = Some(Length::computed(-room));
         let unpressed = unpressed(wire, step);
@@ -53,9 +53,9 @@ fn judge(wire: &WireStages, step: usize, designed: Length, feed: Length, found: 
     } else if let Some(limit) = longest.cloned() {
         let remedies = vec![Remedy::ShortenStraight, Remedy::AddBend];
         (Severity::Error, Fact::FeedTooLong { designed, feed: commanded, limit }, remedies)
-    } else if let Some(limit) = usable_stock.filter(|usable| feed > usable.value) {
+    } else if let Some(limit) = usable_stock.filter(|usable| is_beyond(feed, usable)) {
         (Severity::Error, Fact::FeedLongerThanStock { designed, feed, limit }, vec![Remedy::SplitEdge])
-    } else if is_near(room, limits.min_feed.value.mm()) {
+    } else if is_near(room.max(0.0), limits.min_feed.value.mm()) {
         let limit = limits.min_feed.clone();
         let remedies = vec![Remedy::Leave, Remedy::LengthenEdge { by: None }];
         (Severity::Warning, Fact::FeedNearLimit { designed, feed, limit }, remedies)
@@ -63,6 +63,10 @@ fn judge(wire: &WireStages, step: usize, designed: Length, feed: Length, found: 
         return;
     };
     found.push(Diagnostic { severity, location: wire.location_of_step(step), fact, remedies });
+}
+
+fn is_beyond(feed: Length, most: &Sourced<Length>) -> bool {
+    (feed - most.value).mm() > ROUNDING
 }
 
 /// The bend of a step that the peg cannot press for what lies before it.

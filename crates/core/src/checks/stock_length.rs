@@ -1,6 +1,6 @@
 //! Whether the wire and its unusable tail fit the stock that the machine holds.
 
-use super::{Diagnostic, Fact, Location, Remedy, Severity, WireStages};
+use super::{Diagnostic, Fact, Location, ROUNDING, Remedy, Severity, WireStages};
 use crate::estimate::stock;
 
 pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
@@ -9,7 +9,7 @@ pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
     };
     let tail = wire.limits.tail.value;
     let needed = stock(program, tail);
-    if needed <= limit.value {
+    if (needed - limit.value).mm() <= ROUNDING {
         return;
     }
     found.push(Diagnostic {

@@ -369,3 +369,25 @@ fn a_single_feed_may_be_too_long() {
     assert_eq!((long.location.step, long.is_error()), (Some(0), true));
     assert_eq!(long.limit().unwrap().source, LimitSource::Stated(&from("driver setting feed_most_mm")));
 }
+
+/// By arithmetic a straight of 100 mm at 0.01 rad to an axis is 100.00000000000001 mm long.
+#[test]
+fn what_arithmetic_adds_is_beyond_no_limit() {
+    let mut machine = published_machine();
+    let straight = chain(&[[0., 0., 0.], [100.0 * 0.01_f64.cos(), 100.0 * 0.01_f64.sin(), 0.]]);
+    let limit = |value: f64| Sourced { value: mm(value), source: from("test") };
+    assert!(straight.total_length() > mm(100.0));
+    let tail = machine.limits.tail.value.mm();
+    machine.limits.max_feed = Some(limit(100.0));
+    machine.limits.max_stock = Some(limit(100.0 + tail));
+    let errors = |machine: &Machine| {
+        let found = on(machine, &straight, &PlanOptions::default());
+        found.iter().filter(|found| found.is_error()).map(Diagnostic::code).collect::<Vec<_>>()
+    };
+    assert_eq!(errors(&machine), []);
+    machine.limits.max_feed = Some(limit(99.99));
+    assert_eq!(errors(&machine), [Code::FeedTooLong]);
+    machine.limits.max_feed = None;
+    machine.limits.max_stock = Some(limit(99.99 + tail));
+    assert!(errors(&machine).contains(&Code::StockTooLong));
+}

@@ -24,8 +24,10 @@ fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     // As a newly created file would have; the umask still applies.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = builder.tempfile_in(folder)?;
-    file.write_all(bytes)?;
+    fs::metadata(folder)?;
+    // Its errors name the temporary file, which means nothing to a person.
+    let mut file = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
+    file.as_file_mut().write_all(bytes)?;
     if let Ok(old) = fs::metadata(&path) {
         file.as_file().set_permissions(old.permissions())?;
     }
@@ -58,6 +60,7 @@ mod tests {
         let path = folder.path().join("missing").join("a.wirebend");
         let error = save_atomically(&path, b"x").unwrap_err();
         assert!(matches!(error, DocumentError::Save { .. }) && error.code() == "document-save");
+        assert!(!error.to_string().contains(".wirebend-"), "{error}");
         // A folder stands where the file should go: the rename fails after the write.
         let taken = folder.path().join("taken");
         fs::create_dir_all(taken.join("inside")).unwrap();

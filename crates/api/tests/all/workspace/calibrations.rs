@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// What a person does in a quarter of an hour, with one slip of the keyboard in it: the slip is named in its cell, and the design
+/// What a person types, with one slip of the keyboard in it: the slip is named in its cell, and the design
 /// has the calibrated machine at once.
 #[test]
 fn readings_are_typed_fitted_and_applied() {
