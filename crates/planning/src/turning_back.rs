@@ -6,7 +6,7 @@ use wirebend_core::route::Route;
 use wirebend_core::simulate::formed_steps;
 use wirebend_core::units::{Angle, Length};
 use wirebend_error::{ErrorRemedy, InputName};
-use wirebend_files::read::wireframe_of_path;
+use wirebend_files::read::{PathWireframe, wireframe_of_path};
 
 use crate::choices::PlanChoices;
 use crate::design::Opened;
@@ -79,7 +79,7 @@ impl Opened {
         };
         let steps = left(&told, setup).map_err(of_another)?;
         let path = replay(Frame::default(), &steps);
-        let (wireframe, order) = wireframe_of_path(&path, program.weld)
+        let PathWireframe { wireframe, traversal: order, .. } = wireframe_of_path(&path, program.weld)
             .map_err(|_| of_another(NoDesign { step: 0, command: ToldCommand::Feed }))?;
         self.document.wireframe = wireframe;
         self.notes.push(NoteReport {

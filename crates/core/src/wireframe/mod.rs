@@ -12,6 +12,7 @@ mod delta;
 mod edits;
 mod graph;
 mod joint;
+mod passing;
 mod truss;
 mod weld;
 mod welder;
@@ -24,6 +25,7 @@ pub use edits::{
 };
 pub use graph::{Edge, EdgeId, NextIds, Vertex, VertexId, Wireframe, WireframeError};
 pub use joint::{Joint, JointKind};
+pub use passing::{crossings, points_passed};
 pub use truss::{MAX_RINGS, TrussError, regular_depth, regular_strut, tetrahedral_truss};
 pub use weld::WeldReport;
 pub use welder::Welder;

@@ -42,7 +42,7 @@ pub use error::{Location, ReadError};
 pub use format::{Format, UnknownName};
 pub use note::{Note, NoteKind};
 pub use options::{DEFAULT_TOLERANCE_MM, Handedness, LengthUnit, ReadOptions};
-pub use program::{ImportedProgram, wireframe_of_path};
+pub use program::{ImportedProgram, PathWireframe, wireframe_of_path};
 pub use table::pin_table::{PinPair, pin_table};
 pub(crate) use table::sheet::{COLUMNS as SHEET_COLUMNS, EXPLANATIONS as SHEET_EXPLANATIONS};
 pub use table::sheet::{MeasuringSheet, SheetQuantity, SheetRow};

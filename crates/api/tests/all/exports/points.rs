@@ -46,7 +46,7 @@ fn every_case_is_the_wire_of_its_points() {
 fn assert_same_struts(case: &str, text: &str, path: &[Point3<f64>]) {
     let found = read(text.as_bytes(), "points.csv", Some(Format::Xyz), &ReadOptions::default()).unwrap();
     // Points that the wire passes twice are written alike; all others are much farther apart than this.
-    let (meant, _) = wireframe_of_path(path, Length::from_mm(10.0 * DIGIT).unwrap()).unwrap();
+    let meant = wireframe_of_path(path, Length::from_mm(10.0 * DIGIT).unwrap()).unwrap().wireframe;
     let struts = |wireframe: &Wireframe| -> Vec<[Point3<f64>; 2]> {
         let at = |vertex| wireframe.vertex(vertex).unwrap().position;
         wireframe.edges().map(|(_, edge)| [at(edge.a), at(edge.b)]).collect()

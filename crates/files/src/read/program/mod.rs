@@ -3,17 +3,17 @@
 pub(super) mod kit;
 pub(super) mod lra;
 pub(super) mod moves;
+mod path;
 pub(super) mod pensa;
 mod rounding;
-
-use std::collections::BTreeSet;
 
 use nalgebra::Point3;
 use wirebend_core::bend::{Convention, Frame, NominalProgram, Step, replay};
 use wirebend_core::units::{Angle, Length};
-use wirebend_core::wireframe::{Vertex, VertexId, Welder, Wireframe, WireframeError};
+use wirebend_core::wireframe::VertexId;
 use wirebend_error::ErrorRemedy;
 
+pub use self::path::{PathWireframe, wireframe_of_path};
 pub(crate) use self::rounding::Rounding;
 use super::Imported;
 use super::error::{Location, MOST_BEND_DEG, ReadError};
@@ -46,42 +46,6 @@ pub struct ImportedProgram {
 fn names_design(comment: &str) -> bool {
     let words: Vec<&str> = comment.split_whitespace().collect();
     matches!(words.as_slice(), ["design", hash] if hash.len() == 64 && hash.bytes().all(|b| b.is_ascii_hexdigit()))
-}
-
-/// The wireframe that a path (mm) makes, and the path as its vertices.
-///
-/// A point within `weld` of a vertex that is there already is that vertex, so a path that comes
-/// back to a node gives one vertex, and two passes along a strut one edge. Vertices are in the order
-/// of their first visit, from 0.
-///
-/// # Errors
-/// The index of the first point that is NaN, infinite or beyond a kilometre.
-pub fn wireframe_of_path(
-    path: &[Point3<f64>],
-    weld: Length,
-) -> Result<(Wireframe, Vec<VertexId>), (usize, WireframeError)> {
-    let mut welder = Welder::new(weld);
-    let mut wireframe = Wireframe::new();
-    let mut traversal: Vec<VertexId> = Vec::new();
-    let mut joined = BTreeSet::new();
-    for (k, point) in path.iter().enumerate() {
-        let next = u32::try_from(wireframe.vertex_count()).unwrap_or(u32::MAX);
-        let id = VertexId(welder.put(next, *point));
-        if id.0 == next {
-            wireframe.add_vertex(Vertex::at(*point)).map_err(|error| (k, error))?;
-        }
-        let before = traversal.last().copied();
-        if before == Some(id) {
-            continue;
-        }
-        if let Some(before) = before
-            && joined.insert((before.min(id), before.max(id)))
-        {
-            wireframe.add_edge(before, id).map_err(|error| (k, error))?;
-        }
-        traversal.push(id);
-    }
-    Ok((wireframe, traversal))
 }
 
 /// Puts single commands together into steps, whatever their order.
@@ -265,12 +229,13 @@ pub(crate) fn finish(
     let misses = Length::from_mm(rounding.misses(&path)).unwrap_or_default();
     let weld =
         if options.weld == ReadOptions::default().weld { options.weld.max(misses) } else { options.weld };
-    let (wireframe, traversal) = wireframe_of_path(&path, weld).map_err(|(point, error)| {
-        let line = lines.get(point.saturating_sub(1)).copied();
-        let place = line.map_or(Location::Item("point", point), Location::Line);
-        ReadError::Wireframe { file: source.name.to_owned(), place, error }
-    })?;
-    notes.add(NoteKind::VerticesMerged, path.len().saturating_sub(wireframe.vertex_count()));
+    let PathWireframe { wireframe, traversal, corners } =
+        wireframe_of_path(&path, weld).map_err(|(point, error)| {
+            let line = lines.get(point.saturating_sub(1)).copied();
+            let place = line.map_or(Location::Item("point", point), Location::Line);
+            ReadError::Wireframe { file: source.name.to_owned(), place, error }
+        })?;
+    notes.add(NoteKind::VerticesMerged, path.len().saturating_sub(corners));
     let merged = (traversal.len().saturating_sub(1)).saturating_sub(wireframe.edge_count());
     notes.add(NoteKind::EdgesMerged, merged);
     let program = ImportedProgram {

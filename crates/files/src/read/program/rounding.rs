@@ -58,8 +58,9 @@ mod tests {
         };
         assert_eq!(counts(&square("1000.000")), [4, 4]);
         assert_eq!(counts(&square("1000.020")), [4, 4]);
-        assert_eq!(counts(&square("1000.500")), [5, 4]);
+        // Through the first corner, to an end beyond it.
+        assert_eq!(counts(&square("1000.500")), [5, 5]);
         // Whole angles are no rounder than the feeds.
-        assert_eq!(counts("F 60.000\nB 90\nF 60.000\nB 90\nF 60.000\nB 90\nF 60.100\n"), [5, 4]);
+        assert_eq!(counts("F 60.000\nB 90\nF 60.000\nB 90\nF 60.000\nB 90\nF 60.100\n"), [5, 5]);
     }
 }

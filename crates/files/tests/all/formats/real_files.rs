@@ -110,6 +110,17 @@ fn the_framefab_bunny_stands_on_its_pillars() {
     assert_eq!((found.len(), found), (6, marked));
 }
 
+/// Its authors feed straight past vertices: all of the published model comes back, and nothing beside.
+#[test]
+fn the_script_of_the_bunny_makes_the_bunny() {
+    let model = import_data("bend-forming/BunnyPolygonScaled_v2.obj", &face_edges());
+    let options = ReadOptions { weld: mm(1.0), ..ReadOptions::default() };
+    let script = import_data("bend-forming/AccuracyTest_BunnyPath.txt", &options);
+    assert_eq!(counts(&script.wireframe), counts(&model.wireframe));
+    let [ours, theirs] = [script.wireframe.total_length(), model.wireframe.total_length()];
+    assert!((ours - theirs).mm().abs() < 1.0, "{ours} of {theirs}");
+}
+
 #[test]
 fn the_isogrid_script_is_the_isogrid_path() {
     let isogrid = import_data("bend-forming/isogrid_prototype.txt", &ReadOptions::default());
