@@ -132,13 +132,17 @@ impl Unit {
             "in" | "\"" | "''" | "″" => INCH,
             "foot" | "'" | "′" => FOOT,
             "°" | "º" => Self::Angle(1.0),
-            "turns" | "rev" | "revs" | "revolution" | "revolutions" => Self::Angle(360.0),
+            _ if is_turns(word) => Self::Angle(360.0),
             // "R (turn)" may as well say what R is, and a mil is a length or an angle.
             "turn" | "mil" | "mils" | "thou" | "pt" | "pts" | "steps" | "counts" | "pulses" | "ticks"
             | "%" => Self::Unread,
             _ => return Self::anywhere(word),
         })
     }
+}
+
+fn is_turns(word: &str) -> bool {
+    matches!(word, "turns" | "rev" | "revs" | "revolution" | "revolutions")
 }
 
 fn is_between(c: char) -> bool {
@@ -161,7 +165,8 @@ fn at_end(name: &str) -> Option<&str> {
     let (at, mark) = name.char_indices().rfind(|(_, c)| is_between(*c))?;
     let (before, last) = (&name[..at], &name[at + mark.len_utf8()..]);
     let is_behind_in = before.rsplit(is_between).next() == Some("in");
-    (mark == '_' || is_behind_in || last == "in").then_some(last)
+    let is_of_one = mark == ' ' && before.chars().count() == 1;
+    (mark == '_' || is_behind_in || last == "in" || (is_of_one && is_turns(last))).then_some(last)
 }
 
 #[cfg(test)]
@@ -179,14 +184,14 @@ mod tests {
             (length(0.001), ["x (um)", "x [\u{b5}m]", "x_\u{3bc}m", "x in microns", "x um"]),
             (angle(1.0), ["A [°]", "A_deg", "Bend angle (deg.)", "A in degrees", "A [Grad]"]),
             (angle(0.9), ["A (gon)", "A_gon_abs", "A in gradians", "A / gon", "A, gon"]),
-            (angle(360.0), ["R (turns)", "R_rev", "Rotation in revolutions", "R [ turns ]", "R_turns"]),
+            (angle(360.0), ["R (turns)", "R_rev", "Rotation in revolutions", "R [ turns ]", "A turns"]),
             (
                 Units { unread: true, ..Units::default() },
                 ["L (yd)", "Length in steps", "L_thou", "R (turn)", "L px"],
             ),
             (
                 Units::default(),
-                ["Angle (bend)", "Length (in total)", "Bend (in/out)", "Head turn", "Rotation/turn"],
+                ["Angle (bend)", "Length (in total)", "Bend (in/out)", "Head turn", "Number of turns"],
             ),
             (Units::default(), ["turns", "mm", "bend (outside)", "length (arc)", "steps"]),
         ] {
