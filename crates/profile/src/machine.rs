@@ -41,7 +41,7 @@ profile! {
         pub time: Time,
         /// What the machine looks like, and what a wire can hit.
         pub shapes: Option<Vec<Shape>>,
-        /// Id of the noise profile that simulations of this machine use.
+        /// Id of the noise profile with the scatter of this machine, for checks and for the accuracy of wires; `simulate` takes one by `--noise`.
         pub error: Option<Noted<String>>,
         /// The calibration that figures of this version of the machine and of its wire come from.
         pub calibrated: Calibrated,

@@ -39,7 +39,7 @@ pub(crate) enum ProfileCommand {
     },
     /// Set values of a profile of your own, each with its source
     #[command(
-        after_help = "Example:\n  wirebend profile set my-bender --from wirebend-kit bend.orbit_offset_mm=11.6 --source \"caliper, 3 readings\" --measured"
+        after_help = "Example:\n  wirebend profile set my-bender --from wirebend-kit --kind machine bend.orbit_offset_mm=11.6 --source \"caliper, 3 readings\" --measured"
     )]
     Set {
         /// Profile to change, by id
