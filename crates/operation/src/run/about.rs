@@ -56,7 +56,8 @@ pub fn about(
         lines.push(what.to_owned());
     }
     let (mut head, mut least, mut most) = (0.0_f64, 0.0_f64, 0.0_f64);
-    for step in &kept.compensated {
+    // As in the wire: what turns are off by, and what they lose, is in what the head is told.
+    for step in &kept.scheduled {
         head += step.rotate_deg;
         (least, most) = (least.min(head), most.max(head));
     }
