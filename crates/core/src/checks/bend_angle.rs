@@ -35,7 +35,7 @@ pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
         };
         let around = match (severity, location.vertices.first()) {
             (Severity::Error, Some(&vertex)) => Remedy::around(wire, vertex),
-            _ => vec![Remedy::StartAtVertex { added: None }],
+            _ => Remedy::start_of_closed(wire).into_iter().collect(),
         };
         let remedies = [Remedy::OpenAngle].into_iter().chain(around).collect();
         found.push(Diagnostic { severity, location, fact, remedies });
@@ -65,15 +65,13 @@ fn unreachable(wire: &WireStages, found: &mut Vec<Diagnostic>) {
             {
                 continue;
             }
-            BendError::CornerTooNear { bend } => (
-                bend,
-                Fact::CornerTooNear { bend },
-                vec![Remedy::LengthenEdge { by: None }, Remedy::StartAtVertex { added: None }],
-            ),
+            BendError::CornerTooNear { bend } => {
+                (bend, Fact::CornerTooNear { bend }, or_start(wire, Remedy::LengthenEdge { by: None }))
+            }
             BendError::LeadTooShort { bend, lead, needed } => {
                 let by = (needed > lead).then(|| needed - lead);
                 let fact = Fact::LeadTooShort { bend, lead, needed };
-                (bend, fact, vec![Remedy::LengthenEdge { by }, Remedy::StartAtVertex { added: None }])
+                (bend, fact, or_start(wire, Remedy::LengthenEdge { by }))
             }
             BendError::FoldBack { bend } => {
                 (bend, Fact::FoldBackNotCompensated { bend }, vec![Remedy::OpenAngle])
@@ -88,6 +86,10 @@ fn unreachable(wire: &WireStages, found: &mut Vec<Diagnostic>) {
         let location = wire.location_of_step(failed.step);
         found.push(Diagnostic { severity: Severity::Error, location, fact, remedies });
     }
+}
+
+fn or_start(wire: &WireStages, remedy: Remedy) -> Vec<Remedy> {
+    [remedy].into_iter().chain(Remedy::start_of_closed(wire)).collect()
 }
 
 /// Whether the feed before a bend is shorter than the machine's shortest.

@@ -2,7 +2,7 @@
 
 use super::{Diagnostic, Fact, Location, Remedy, Severity, WireStages};
 use crate::route::Doubling;
-use crate::wireframe::{Component, EdgeId, Wireframe};
+use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 
 pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
     let WireStages { wireframe, component, doubled, odd_allowed, proposal, .. } = *wire;
@@ -19,12 +19,19 @@ pub(crate) fn check_odd(
     proposal: Option<&Doubling>,
 ) -> Option<Diagnostic> {
     let odd = wireframe.odd_vertices(component, doubled);
+    // Wire that comes back from a dead end is folded there, which few machines can.
+    let is_dead_end = |vertex: VertexId| wireframe.incident(vertex).len() == 1;
+    let folds = |doubling: &Doubling| {
+        let ends = doubling.edges.iter().filter_map(|&edge| wireframe.edge(edge));
+        ends.flat_map(|edge| [edge.a, edge.b]).any(is_dead_end)
+    };
+    let wires = proposal.filter(|doubling| allowed > 0 && folds(doubling)).map(|_| Remedy::AllowWires);
     (odd.len() > allowed).then(|| Diagnostic {
         severity: Severity::Error,
         location: Location::at_vertices(odd.iter().copied()),
         fact: Fact::NoEulerPath { odd: odd.len(), allowed },
         remedies: match proposal {
-            Some(doubling) => vec![Remedy::double(doubling, wireframe)],
+            Some(doubling) => wires.into_iter().chain([Remedy::double(doubling, wireframe)]).collect(),
             None => vec![Remedy::FindDoubling, Remedy::ReduceOddVertices],
         },
     })

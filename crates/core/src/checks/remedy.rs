@@ -207,17 +207,22 @@ impl Remedy {
         Self::DoubleEdges { edges, added, design: wireframe.total_length() }
     }
 
+    /// A start at the vertex of a bend, where the wire begins and ends at one vertex: from elsewhere it would run along other edges.
+    pub(crate) fn start_of_closed(wire: &WireStages) -> Option<Self> {
+        let walk = &wire.route?.traversals;
+        let is_closed = walk.first()?.from == walk.last()?.to;
+        is_closed.then_some(Self::StartAtVertex { added: None })
+    }
+
     /// The remedies of a bend at a vertex that every route from elsewhere makes: a start there, and a detour, where they avoid it.
     pub(crate) fn around(wire: &WireStages, vertex: VertexId) -> Vec<Self> {
         let Some(forced) = wire.forced.iter().find(|forced| forced.vertex == vertex) else {
-            return vec![Self::StartAtVertex { added: None }];
+            return Self::start_of_closed(wire).into_iter().collect();
         };
         let start = match forced.start {
-            StartThere::NotTried => Some(None),
-            StartThere::HelpsNot => None,
-            StartThere::Adds(added) => Some(Some(added)),
+            StartThere::NotTried | StartThere::HelpsNot => None,
+            StartThere::Adds(added) => Some(Self::StartAtVertex { added: Some(added) }),
         };
-        let start = start.map(|added| Self::StartAtVertex { added });
         let detour = forced.detour.clone().map(|Doubling { edges, added }| Self::Detour { edges, added });
         start.into_iter().chain(detour).collect()
     }

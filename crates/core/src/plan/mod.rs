@@ -196,6 +196,8 @@ pub struct WirePlan {
     pub route: Option<Route>,
     /// The edges that it makes once more beside a wire before it, one of them for each time.
     pub beside: Vec<EdgeId>,
+    /// Whether the wires that were planned with it are the cheapest together; of one alone its proposal says.
+    pub is_cheapest: bool,
     /// The positions of the route's vertices, in mm.
     pub path: Vec<Point3<f64>>,
     /// The frame in which the nominal program starts.
@@ -240,6 +242,7 @@ impl WirePlan {
             proposal,
             route,
             beside: Vec::new(),
+            is_cheapest: true,
             path: Vec::new(),
             start: Frame::default(),
             nominal: None,
@@ -337,10 +340,9 @@ fn plan_observed(
         let component = along(&route);
         let beside = component.edges.iter().copied().filter(|edge| !made.insert(*edge)).collect();
         let doubled = routing::again(&route);
-        let least = if is_cheapest { added(&doubled) } else { Length::ZERO };
-        let proposal = Doubling { edges: Vec::new(), added: least };
+        let proposal = Doubling { edges: Vec::new(), added: added(&doubled) };
         let mut plan = WirePlan::new(component, doubled, proposal, Some(route));
-        plan.beside = beside;
+        (plan.beside, plan.is_cheapest) = (beside, is_cheapest);
         (plan.scheduled, plan.searched) = (schedules.get(index).cloned(), searched);
         let of_all = if index == 0 { std::mem::take(&mut refusals) } else { Vec::new() };
         stages.run(index, &mut plan, of_all, &mut done);

@@ -5,14 +5,17 @@ use std::collections::BTreeSet;
 use super::{DoublingChoice, Machine, PlanOptions, Stage};
 use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity, check_odd};
 use crate::route::{
-    Doubling, ForcedBend, Route, RouteError, RouteOptions, Routes, StartThere, doubling, doublings,
-    forced_bends, is_forced, routes,
+    Doubling, ForcedBend, Route, RouteError, RouteOptions, Routes, StartThere, Traversal, doubling,
+    doublings, forced_bends, routes,
 };
 use crate::units::{Angle, Length};
-use crate::wireframe::{Component, EdgeId, Wireframe};
+use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 
 /// Starts at forced bends are tried where they take no more than so many edges in all: each takes a doubling of the whole wire.
 const MAX_EDGES_OF_STARTS: usize = 20_000;
+
+/// What arithmetic may add to a bend.
+const ROUNDING_DEG: f64 = 1e-6;
 
 /// The routes of a component, and what the checks need to know of the search for them.
 pub(super) struct Routed {
@@ -134,15 +137,32 @@ fn try_starts(
     {
         return;
     }
+    let sharp = |options: &RouteOptions| {
+        let routes = routes(wireframe, component, options).ok()?.routes;
+        Some(routes.iter().flat_map(|route| sharp_vertices(wireframe, route, options.max_bend)).collect())
+    };
+    let Some(sharp_now): Option<Vec<VertexId>> = sharp(now).filter(|_| !forced.is_empty()) else { return };
     for bend in forced {
         let start = Some(bend.vertex);
         let Ok(Doubling { edges: doubled, added }) = doubling(wireframe, component, start, false) else {
             continue;
         };
         let there = RouteOptions { doubled, start, ..now.clone() };
-        let Ok(stays) = is_forced(wireframe, component, &there, bend.vertex) else { continue };
-        bend.start = if stays { StartThere::HelpsNot } else { StartThere::Adds(added - now_added) };
+        let Some(sharp_there) = sharp(&there) else { continue };
+        // Elsewhere there may be bends and folds that there are not now.
+        let helps = sharp_there.len() < sharp_now.len() && !sharp_there.contains(&bend.vertex);
+        bend.start = if helps { StartThere::Adds(added - now_added) } else { StartThere::HelpsNot };
     }
+}
+
+/// The vertices at which a wire is bent by more than the machine can, or back along itself.
+fn sharp_vertices(wireframe: &Wireframe, route: &Route, max_bend: Option<Angle>) -> Vec<VertexId> {
+    let along = |traversal: &Traversal| wireframe.direction(traversal.edge, traversal.from);
+    let bend = |pair: &[Traversal]| Some(along(&pair[0])?.angle(&along(&pair[1])?).to_degrees());
+    let is_sharp = |pair: &&[Traversal]| {
+        max_bend.zip(bend(pair)).is_some_and(|(most, bend)| bend > most.deg() + ROUNDING_DEG)
+    };
+    route.traversals.windows(2).filter(is_sharp).map(|pair| pair[0].to).collect()
 }
 
 /// The cheapest doubling for what was chosen.

@@ -40,26 +40,10 @@ pub struct ForcedBend {
 pub enum StartThere {
     /// It was not tried.
     NotTried,
-    /// The bend stays.
+    /// The bend stays, or others beyond the limit take its place.
     HelpsNot,
-    /// No bend there is beyond the limit then, and the doubled length changes by this; negative where it gets shorter.
+    /// Fewer bends are beyond the limit then and none there, and the doubled length changes by this; negative where it gets shorter.
     Adds(Length),
-}
-
-/// Whether every route with these options has a bend beyond the limit at a vertex.
-///
-/// # Errors
-/// As [`routes`](super::routes).
-pub(crate) fn is_forced(
-    wireframe: &Wireframe,
-    component: &Component,
-    options: &RouteOptions,
-    vertex: VertexId,
-) -> Result<bool, RouteError> {
-    let network = Network::new(wireframe, component);
-    let Layout { copies, wire_ends } = layout(&network, component, options)?;
-    let pairing = Pairing::new(&network, &copies, &wire_ends, options.max_bend);
-    Ok(forced_vertices(&pairing).into_iter().any(|forced| network.vertices[forced] == vertex))
 }
 
 /// The vertices at which every route with these options has a bend beyond the limit, where one may be missing: as

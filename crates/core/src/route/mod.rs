@@ -21,7 +21,6 @@ use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 
 pub(crate) use doubling::doubling_weighed;
 pub use doubling::{Doubling, Share, doubling, doublings, share_out};
-pub(crate) use forced::is_forced;
 pub use forced::{ForcedBend, StartThere, forced_bends};
 
 /// One edge, travelled once.

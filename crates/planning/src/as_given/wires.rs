@@ -137,6 +137,7 @@ fn given(name: &str, wire: &JobWire, setup: &Setup) -> Result<(Wireframe, WirePl
         },
         doubled: route.traversals.iter().filter(|along| along.again).map(|along| along.edge).collect(),
         proposal: Doubling::default(),
+        is_cheapest: true,
         beside: Vec::new(),
         route: Some(route),
         path,

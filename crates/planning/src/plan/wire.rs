@@ -46,7 +46,7 @@ impl WireReport {
                 length_mm: length_of(&mut route.traversals.iter().map(|t| t.edge)).mm(),
                 doubled_edges: plan.doubled.len(),
                 doubled_mm: doubled.mm(),
-                optimal: plan.proposal.is_matched_by(doubled),
+                optimal: plan.is_cheapest && plan.proposal.is_matched_by(doubled),
                 doubled: ids(&plan.doubled),
                 beside: ids(&plan.beside),
                 beside_mm: plan.length_beside(wireframe).mm(),

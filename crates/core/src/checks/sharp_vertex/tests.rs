@@ -100,3 +100,17 @@ fn a_detour_leads_around_a_bend_that_no_route_avoids() {
     assert!((length - added).abs() < 1e-9, "{length} for {added}");
     assert_eq!(sharp(&PlanOptions { detours: true, ..PlanOptions::default() }), []);
 }
+
+/// Started at one tip, a leaf of four edges has the same bend at the other. A key that is started where its ring is sharp folds back at
+/// the end of its bar.
+#[test]
+fn a_start_is_offered_only_where_fewer_bends_are_beyond_the_limit() {
+    let leaf = [[0., 0., 0.], [100., 20., 0.], [200., 0., 0.], [100., -20., 0.]];
+    let key = [[0., 0., 0.], [100., 20., 0.], [100., -20., 0.], [100., 20., 80.]];
+    for (points, edges) in [(leaf, [(0, 1), (1, 2), (2, 3), (3, 0)]), (key, [(0, 1), (1, 2), (2, 0), (1, 3)])]
+    {
+        let found = on(&published_machine(), &wireframe(&points, &edges), &PlanOptions::default());
+        let sharp = found.iter().find(|found| found.code() == Code::BendTooSharp).unwrap();
+        assert!(sharp.is_error() && sharp.remedies == [Remedy::OpenAngle], "{sharp:?}");
+    }
+}
