@@ -343,3 +343,15 @@ fn a_simulated_wire_that_cannot_pass_itself_has_a_status_of_its_own() {
     );
     run_in(folder.path(), &["simulate", "a.wbjob"], b"").ended(0);
 }
+
+/// By what it is told the head would end 2° before its begin.
+#[test]
+fn a_run_says_where_the_head_ends_in_the_wire() {
+    let folder = tempfile::tempdir().unwrap();
+    let set = "profile set mine --from wirebend-kit --kind machine rotate.backlash_deg=2 --source";
+    run_in(folder.path(), &set.split(' ').chain(["a rule"]).collect::<Vec<_>>(), b"").ended(0);
+    let plan = ["plan", &example("cube-8-edges.obj"), "-m", "mine", "-o", "a.wbjob"];
+    run_in(folder.path(), &plan, b"").ended(0);
+    let ran = run_in(folder.path(), &["run", "a.wbjob", "--port", "sim:max", "--yes"], b"").ended(0);
+    assert!(ran.err.contains("the head turns between 0.0° and 90.0°, and ends at 0.0°"), "{}", ran.err);
+}
