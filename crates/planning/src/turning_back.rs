@@ -23,11 +23,14 @@ impl Installation {
         if !opened.is_told() {
             return Ok(opened);
         }
-        let recorded = opened.recorded_on().map(str::to_owned);
-        let Some(machine) = choices.machine.clone().or(recorded) else {
+        // Recorded moves are of the machine that made them, unless that is not known here; another one is for what follows.
+        let recorded = opened.recorded_on().filter(|id| self.library.machine(id).is_ok());
+        let given = choices.machine.as_deref();
+        let Some(machine) = recorded.or(given) else {
             return Err(PlanningError::Compensated { name: opened.name });
         };
-        let setup = self.setup(&machine, choices.material.as_deref())?;
+        let material = choices.material.as_deref().filter(|_| given.is_none_or(|given| given == machine));
+        let setup = self.setup(machine, material)?;
         opened.require_told_to(&setup)?;
         opened.turned_back(&setup)
     }
@@ -234,6 +237,21 @@ mod tests {
             |bend: f64| designed("a.dsw", &format!("feed 60\nbend {bend}\nfeed 60\n"), "pensa-diwire-pro");
         assert!(matches!(pensa(220.0), Err(PlanningError::OtherCompensation { step: 1, .. })));
         assert!(pensa(170.0).is_ok());
+    }
+
+    /// "Can that machine make it, too?" was answered for another part.
+    #[test]
+    fn recorded_moves_are_of_the_machine_that_made_them() {
+        let app = Installation::new(&[]).unwrap();
+        let moves = br#"{"format": "wbmoves", "version": 1, "machine": "wirebend-kit", "profile_hash": "", "moves": [
+            {"move": "feed", "mm": 60}, {"move": "bend", "deg": 80}, {"move": "feed", "mm": 60}]}"#;
+        let designed = |machine: Option<&str>| {
+            let input = DesignInput::file("a.wbmoves".into());
+            let opened = input.open_bytes("a.wbmoves".to_owned(), moves, None).unwrap();
+            let choices = PlanChoices { machine: machine.map(str::to_owned), ..PlanChoices::default() };
+            app.designed(opened, &choices).unwrap().document.wireframe
+        };
+        assert_eq!(designed(Some("grbl-bender")), designed(None));
     }
 
     /// With the springback of another machine 90° would become 66.5°, and nothing would be wrong with that.

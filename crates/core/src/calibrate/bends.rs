@@ -7,7 +7,7 @@ use super::figure::Figure;
 use super::fitting::{Search, hold};
 use super::least_squares::{Belief, Solution};
 use super::measured::{AngleSample, Gap, Kind, LeftOut};
-use super::screen::{Screened, bend, screen};
+use super::screen::{ReadAs, Screened, bend, screen};
 use super::springback::{CURVE_NEEDS, Form, Knots, ShapeChoice, SpringbackShape};
 use super::statistics::median;
 use crate::compensate::{BendModel, PegGeometry, Springback, SpringbackPoint};
@@ -103,13 +103,12 @@ pub(super) struct Outcome<T> {
 
 /// Readings from which on their median says something.
 const SEVERAL: usize = 5;
-/// Inner angles differ from 180° less what is expected by so much less than from what is expected.
-const INNER_SPREADS: f64 = 0.2;
+/// Readings of another kind differ from what is expected of that kind by so much less than from the bends that are expected.
+const OTHER_SPREADS: f64 = 0.2;
 
 /// What is expected of each sample, less what the readings lose in the median: a wire whose springback is far from what was taken
-/// has all of them off alike, and a reading that is off by as much is no slip. And whether all are inner angles, as a protractor shows
-/// them.
-fn as_the_table_has_it(samples: &[AngleSample], expected: &[Angle]) -> (Vec<Angle>, bool) {
+/// has all of them off alike, and a reading that is off by as much is no slip. And what all readings are.
+fn as_the_table_has_it(samples: &[AngleSample], expected: &[Angle]) -> (Vec<Angle>, ReadAs) {
     let pairs = || {
         samples.iter().zip(expected).flat_map(|(sample, expected)| {
             let readings = sample.readings.iter().flatten();
@@ -120,18 +119,21 @@ fn as_the_table_has_it(samples: &[AngleSample], expected: &[Angle]) -> (Vec<Angl
         let off = pairs().map(|[read, expected]| read_as(read) - expected);
         off.filter(|off| off.abs() < 180.0).collect()
     };
-    let (bends, inner) = (off(|read| read), off(|read| 180.0 - read));
+    let bends = off(|read| read);
     if bends.len() < SEVERAL {
-        return (expected.to_vec(), false);
+        return (expected.to_vec(), ReadAs::Bends);
     }
     let spread = |off: &[f64]| {
         let middle = median(off.to_vec());
         median(off.iter().map(|off| (off - middle).abs()).collect())
     };
-    let are_inner = inner.len() >= SEVERAL && spread(&inner) < INNER_SPREADS * spread(&bends);
-    let off = median(if are_inner { inner } else { bends }).to_radians();
+    let others = [(ReadAs::InnerAngles, off(|read| 180.0 - read)), (ReadAs::Radians, off(f64::to_degrees))];
+    let is_other = |off: &[f64]| off.len() >= SEVERAL && spread(off) < OTHER_SPREADS * spread(&bends);
+    let other = others.into_iter().find(|(_, off)| is_other(off));
+    let (read_as, off) = other.unwrap_or((ReadAs::Bends, bends));
+    let off = median(off).to_radians();
     let shifted = |angle: &Angle| Angle::computed(angle.signum() * (angle.abs().rad() + off).max(0.0));
-    (expected.iter().map(shifted).collect(), are_inner)
+    (expected.iter().map(shifted).collect(), read_as)
 }
 
 /// Fits bends. `beside`: positions of the axis for the bends beside the sides that are measured. `held`: what stays as it was.
@@ -144,14 +146,14 @@ pub(super) fn fit(
     let before = assumed.bend_model()?;
     let expected: Vec<Angle> =
         samples.iter().map(|sample| before.result_to(sample.side, sample.axis)).collect();
-    let (likely, inner) = as_the_table_has_it(samples, &expected);
+    let (likely, read_as) = as_the_table_has_it(samples, &expected);
     let readings: Vec<&[Option<Angle>]> = samples.iter().map(|sample| sample.readings.as_slice()).collect();
     let mut screened = screen(
         Kind::Bends,
         &readings,
         Figure::Angle,
         |k| Figure::Angle(expected[k]),
-        |k, reading| bend(&samples[k], assumed.axis_limit, (likely[k], inner), reading),
+        |k, reading| bend(&samples[k], assumed.axis_limit, (likely[k], read_as), reading),
     );
     let none = |screened: Screened, given| Outcome {
         fit: None,

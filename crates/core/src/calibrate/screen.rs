@@ -62,15 +62,27 @@ pub(super) fn screen<V: Copy>(
     screened
 }
 
-/// A bend, signed as its side; `expected` is its size by the figures of before, `inner` that readings are inner angles.
+/// What the readings of a whole table of bends are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum ReadAs {
+    Bends,
+    /// As a protractor shows them.
+    InnerAngles,
+    Radians,
+}
+
+/// A bend, signed as its side; `expected` is its size by the figures of before.
 pub(super) fn bend(
     sample: &AngleSample,
     limit: Option<Angle>,
-    (expected, inner): (Angle, bool),
+    (expected, read_as): (Angle, ReadAs),
     reading: Angle,
 ) -> Result<f64, LeftOutReason> {
     if let Some(limit) = limit.filter(|limit| sample.axis.abs() > *limit) {
         return Err(LeftOutReason::AxisOutOfRange { limit });
+    }
+    if read_as == ReadAs::Radians {
+        return Err(LeftOutReason::Unit(OtherUnit::Radians));
     }
     let size = turn(Angle::computed(sample.side), expected, reading)?;
     let (read, wanted) = (size.abs(), expected.abs().deg());
@@ -78,7 +90,7 @@ pub(super) fn bend(
         return Err(LeftOutReason::NoBend);
     }
     let is_inner = (read - wanted).abs() > FAR_DEG && (180.0 - read - wanted).abs() < ABOUT_DEG;
-    if is_inner || (inner && read < 180.0) {
+    if is_inner || (read_as == ReadAs::InnerAngles && read < 180.0) {
         return Err(LeftOutReason::Unit(OtherUnit::InnerAngle));
     }
     if read >= 180.0 {

@@ -161,3 +161,22 @@ fn a_table_of_inner_angles_is_no_machine() {
         }
     }
 }
+
+/// Read in radians, every bend is off by about as much, which was taken for the springback of the wire.
+#[test]
+fn a_table_in_radians_is_no_wire() {
+    for seed in 0..20 {
+        for loss in [3.0, 11.25, 25.0] {
+            let truth = machine([22.44, 10.8, 3.3, 5.14], loss);
+            let bends = [20.0, 40.0, 60.0, 80.0, 100.0, 120.0, 135.0];
+            let mut angles = ladder(&truth, &bends, 2, 0.5, &mut Normals::new(seed));
+            for reading in angles.iter_mut().flat_map(|sample| sample.readings.iter_mut().flatten()) {
+                *reading = deg(reading.rad());
+            }
+            let measured = Measurements { angles, ..Measurements::default() };
+            let refused = calibrate(&published(), &measured, ShapeChoice::Better).unwrap_err();
+            let reason = Some(LeftOutReason::Unit(OtherUnit::Radians));
+            assert_eq!(refused, CalibrationError::NoReadings { given: 28, reason }, "{seed} {loss}");
+        }
+    }
+}
