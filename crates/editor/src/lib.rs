@@ -126,13 +126,8 @@ impl Editor {
             ..PlanChoices::default()
         });
         let mut opened = input.open_with(app, &choices, progress)?.with_stencils(input);
-        if let Some((machine, material)) = machine.filter(|_| opened.document.machine.is_none()) {
-            // Recorded moves are of the machine that made them.
-            let recorded = opened.recorded_on().filter(|recorded| *recorded != machine).map(str::to_owned);
-            let setup = match recorded {
-                Some(recorded) => app.setup(&recorded, None)?,
-                None => app.setup(machine, material)?,
-            };
+        if machine.is_some() && opened.document.machine.is_none() {
+            let setup = app.maker_of(&opened, &choices)?;
             opened = opened.turned_back(&setup)?;
             (opened.document.machine, opened.document.material) = changing::snapshots(&setup)?;
         }

@@ -23,16 +23,21 @@ impl Installation {
         if !opened.is_told() {
             return Ok(opened);
         }
-        // Recorded moves are of the machine that made them, unless that is not known here; another one is for what follows.
+        let setup = self.maker_of(&opened, choices)?;
+        opened.require_told_to(&setup)?;
+        opened.turned_back(&setup)
+    }
+
+    /// The machine and the wire of what was opened. Recorded moves are of the machine that made them, unless that is not known here, and
+    /// of its own wire where another machine is given: that one is for what follows.
+    pub fn maker_of(&self, opened: &Opened, choices: &PlanChoices) -> Result<Setup, PlanningError> {
         let recorded = opened.recorded_on().filter(|id| self.library.machine(id).is_ok());
         let given = choices.machine.as_deref();
         let Some(machine) = recorded.or(given) else {
-            return Err(PlanningError::Compensated { name: opened.name });
+            return Err(PlanningError::Compensated { name: opened.name.clone() });
         };
         let material = choices.material.as_deref().filter(|_| given.is_none_or(|given| given == machine));
-        let setup = self.setup(machine, material)?;
-        opened.require_told_to(&setup)?;
-        opened.turned_back(&setup)
+        self.setup(machine, material)
     }
 }
 
@@ -135,17 +140,17 @@ struct NoDesign {
 fn left(told: &[Step], setup: &Setup) -> Result<Vec<Step>, NoDesign> {
     let mut steps = corner_to_corner(told, setup);
     let bends = BendModel { axis_limit: None, ..setup.model.compensation.bend.clone() };
-    let most = |side: Angle| match &bends.setback {
+    let [most, most_negative] = [Angle::HALF_TURN, -Angle::HALF_TURN].map(|side| match &bends.setback {
         // Any command beyond leaves the largest bend.
-        Some(_) => bends.max_bend(side).deg() - SLIGHTLY_LESS_DEG,
-        None => Angle::HALF_TURN.deg() + SLIGHTLY_LESS_DEG,
-    };
+        Some(_) => bends.max_bend(side).deg() - SLIGHT_BEND_DEG,
+        None => Angle::HALF_TURN.deg() + SLIGHT_BEND_DEG,
+    });
     for (index, step) in steps.iter_mut().enumerate() {
         // What is a little less than nothing was rounded.
         if step.feed.mm() < -ROUNDED_MM {
             return Err(NoDesign { step: index, command: ToldCommand::Feed });
         }
-        if step.bend.deg().abs() > most(step.bend) {
+        if step.bend.deg() > most || -step.bend.deg() > most_negative {
             return Err(NoDesign { step: index, command: ToldCommand::Bend });
         }
         if step.feed < Length::ZERO {
@@ -185,7 +190,7 @@ pub(crate) fn corner_to_corner(told: &[Step], setup: &Setup) -> Vec<Step> {
 }
 
 /// Less than any command can tell.
-const SLIGHTLY_LESS_DEG: f64 = 1e-6;
+const SLIGHT_BEND_DEG: f64 = 1e-6;
 
 /// So much may a feed of a program with two decimals be off.
 const ROUNDED_MM: f64 = 0.01;
@@ -243,7 +248,8 @@ mod tests {
     #[test]
     fn recorded_moves_are_of_the_machine_that_made_them() {
         let app = Installation::new(&[]).unwrap();
-        let moves = br#"{"format": "wbmoves", "version": 1, "machine": "wirebend-kit", "profile_hash": "", "moves": [
+        let moves =
+            br#"{"format": "wbmoves", "version": 1, "machine": "wirebend-kit", "profile_hash": "", "moves": [
             {"move": "feed", "mm": 60}, {"move": "bend", "deg": 80}, {"move": "feed", "mm": 60}]}"#;
         let designed = |machine: Option<&str>| {
             let input = DesignInput::file("a.wbmoves".into());

@@ -99,7 +99,7 @@ fn feeds_too_little(wire: &WireStages, step: usize) -> bool {
         let feed = wire.compensation.feed.as_ref();
         feed.map_or(step.feed, |model| model.feed_for(step.feed, before, step.bend))
     });
-    told.is_some_and(|feed| feed < wire.limits.min_feed.value)
+    told.is_some_and(|feed| (feed - wire.limits.min_feed.value).mm() < -ROUNDING)
 }
 
 /// Whether another route could avoid a bend at the vertex of a step.

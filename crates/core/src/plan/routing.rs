@@ -120,7 +120,7 @@ fn try_starts(
     component: &Component,
     options: &PlanOptions,
     now: &RouteOptions,
-    Routed { proposal, forced, .. }: &mut Routed,
+    Routed { proposal, forced, routes: found, .. }: &mut Routed,
 ) {
     if options.closed {
         for bend in &mut *forced {
@@ -131,24 +131,26 @@ fn try_starts(
     let now_added = length(&now.doubled);
     let is_open = options.start.is_none() && !options.closed && options.wires < 2 && !options.detours;
     if !is_open
+        || forced.is_empty()
         || !options.settled.is_empty()
         || !proposal.is_matched_by(now_added)
         || forced.len() * component.edges.len() > MAX_EDGES_OF_STARTS
     {
         return;
     }
-    let sharp = |options: &RouteOptions| {
-        let routes = routes(wireframe, component, options).ok()?.routes;
-        Some(routes.iter().flat_map(|route| sharp_vertices(wireframe, route, options.max_bend)).collect())
+    let sharp = |routes: &[Route]| -> Vec<VertexId> {
+        routes.iter().flat_map(|route| sharp_vertices(wireframe, route, now.max_bend)).collect()
     };
-    let Some(sharp_now): Option<Vec<VertexId>> = sharp(now).filter(|_| !forced.is_empty()) else { return };
+    let sharp_of = |options: &RouteOptions| Some(sharp(&routes(wireframe, component, options).ok()?.routes));
+    let known = (!found.is_empty()).then(|| sharp(found));
+    let Some(sharp_now) = known.or_else(|| sharp_of(now)) else { return };
     for bend in forced {
         let start = Some(bend.vertex);
         let Ok(Doubling { edges: doubled, added }) = doubling(wireframe, component, start, false) else {
             continue;
         };
         let there = RouteOptions { doubled, start, ..now.clone() };
-        let Some(sharp_there) = sharp(&there) else { continue };
+        let Some(sharp_there) = sharp_of(&there) else { continue };
         // Elsewhere there may be bends and folds that there are not now.
         let helps = sharp_there.len() < sharp_now.len() && !sharp_there.contains(&bend.vertex);
         bend.start = if helps { StartThere::Adds(added - now_added) } else { StartThere::HelpsNot };

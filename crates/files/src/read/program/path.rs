@@ -41,26 +41,19 @@ pub fn wireframe_of_path(
             turns.push(corner);
         }
     }
-    let mut straights = BTreeMap::new();
-    for pair in turns.windows(2) {
-        let next = straights.len();
-        straights.entry(ordered([pair[0], pair[1]])).or_insert(next);
-    }
-    let mut pieces = vec![[Point3::origin(); 2]; straights.len()];
-    for (ends, &place) in &straights {
-        pieces[place] = ends.map(|end| corners.positions[end]);
-    }
+    let mut straights: Vec<[usize; 2]> = turns.windows(2).map(|pair| ordered([pair[0], pair[1]])).collect();
+    straights.sort_unstable();
+    straights.dedup();
+    let pieces: Vec<_> = straights.iter().map(|ends| ends.map(|end| corners.positions[end])).collect();
     let (turned, last) = (corners.positions.len(), path.len().saturating_sub(1));
     for crossing in crossings(&pieces, weld) {
         corners.put(crossing).map_err(|error| (last, error))?;
     }
     let mut passed = points_passed(&pieces, &corners.positions, weld);
-    for (ends, &place) in &straights {
-        passed[place].retain(|corner| !ends.contains(corner));
+    for (through, ends) in passed.iter_mut().zip(&straights) {
+        through.retain(|corner| !ends.contains(corner));
     }
-    let ends: BTreeMap<usize, [usize; 2]> = straights.iter().map(|(ends, &place)| (place, *ends)).collect();
-    let through = ends.values().copied().zip(passed.iter().map(Vec::as_slice));
-    straighten(&mut corners.positions, &through.collect::<Vec<_>>(), weld);
+    straighten(&mut corners.positions, (&straights, &passed), weld);
 
     let id = |corner: usize| VertexId(u32::try_from(corner).unwrap_or(u32::MAX));
     let mut wireframe = Wireframe::new();
@@ -71,7 +64,7 @@ pub fn wireframe_of_path(
     let mut joined = BTreeSet::new();
     for (k, pair) in turns.windows(2).enumerate() {
         let ends = ordered([pair[0], pair[1]]);
-        let mut through = straights.get(&ends).map_or_else(Vec::new, |&place| passed[place].clone());
+        let mut through = straights.binary_search(&ends).map_or_else(|_| Vec::new(), |at| passed[at].clone());
         if ends[0] != pair[0] {
             through.reverse();
         }
@@ -89,16 +82,20 @@ pub fn wireframe_of_path(
 /// So often vertices are moved: each time about half of what they are off is left, where two straights pass one.
 const ROUNDS: usize = 30;
 
-/// Moves vertices onto the straights that pass them, by their ends: otherwise rounded figures make slight bends of these. None is moved by
-/// more than `weld`.
-fn straighten(positions: &mut [Point3<f64>], straights: &[([usize; 2], &[usize])], weld: Length) {
+/// Moves vertices onto the straights that pass them: otherwise rounded figures make slight bends of these. None is moved by more than
+/// `weld`. `straights`: by their ends; `passed`: what each of them passes.
+fn straighten(
+    positions: &mut [Point3<f64>],
+    (straights, passed): (&[[usize; 2]], &[Vec<usize>]),
+    weld: Length,
+) {
     let meant = positions.to_vec();
     for _ in 0..ROUNDS {
         let mut moves: BTreeMap<usize, (Vector3<f64>, f64)> = BTreeMap::new();
-        for (ends, through) in straights {
+        for (ends, through) in straights.iter().zip(passed) {
             let [from, to] = ends.map(|end| positions[end]);
             let way = (to - from).normalize();
-            for &corner in *through {
+            for &corner in through {
                 let off = positions[corner] - from;
                 let (sum, count) = moves.entry(corner).or_default();
                 (*sum, *count) = (*sum + way * way.dot(&off) - off, *count + 1.0);
